@@ -1,0 +1,25 @@
+/// \file EXR (32-bit float, RGB) and PNG (8-bit sRGB) files.
+#pragma once
+
+#include <filesystem>
+
+#include "core/display.h"
+#include "core/image.h"
+#include "core/result.h"
+
+namespace lampyris::core {
+
+/// Linear EXR; one channel is written to all of R, G and B, a fourth is dropped. Never half-written.
+Result<void> writeExr(const std::filesystem::path& path, const Image& image);
+/// R, G and B of an EXR file as a linear image of three channels.
+Result<Image> readExr(const std::filesystem::path& path);
+
+Result<void> writePng(const std::filesystem::path& path, const DisplayImage& image);
+/// An 8-bit PNG file; alpha is dropped, grey is spread.
+Result<DisplayImage> readPng(const std::filesystem::path& path);
+
+/// By the file's ending: .exr as it is, .png through the display transform; any other is an error.
+Result<void> writeImage(const std::filesystem::path& path, const Image& image,
+                        const DisplayTransform& transform);
+
+}  // namespace lampyris::core

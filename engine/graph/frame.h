@@ -1,0 +1,190 @@
+/// \file Declaring one frame: resources in, nodes in any number, and what must come out.
+///
+/// Handles are values. A node that writes a resource takes the handle and returns its successor; using the
+/// old one afterwards is an error that compile() names ("stale handle").
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "graph/node.h"
+#include "graph/resource.h"
+
+namespace lampyris::graph {
+
+/// Where a resource comes from.
+enum class Origin : uint8_t { Transient, Imported, History };
+
+struct ResourceInfo {
+    std::string name;
+    bool isImage = false;
+    Origin origin = Origin::Transient;
+    ImageDesc image;
+    BufferDesc buffer;
+    External external;                    ///< imported
+    Access importedAs = Access::None;     ///< how it was last touched outside
+    uint32_t historyPartner = 0xffffffffu;  ///< history: the other of the pair (previous ↔ current)
+    bool historyPrevious = false;
+    uint32_t versions = 1;
+};
+
+/// An image carried from frame to frame. `previous` holds what `current` held in the last frame that had it.
+struct HistoryImage {
+    Image previous;
+    Image current;   ///< contents undefined until written
+    bool firstFrame = true;  ///< previous holds zeros
+};
+
+class ComputeNode;
+class RasterNode;
+class TransferNode;
+
+/// The declaration of one frame. Built anew every frame; cheap.
+class Frame {
+ public:
+    [[nodiscard]] Image image(std::string name, const ImageDesc& desc);
+    [[nodiscard]] Buffer buffer(std::string name, const BufferDesc& desc);
+    [[nodiscard]] Image importImage(std::string name, const ImageDesc& desc, External external,
+                                    Access importedAs = Access::None);
+    [[nodiscard]] Buffer importBuffer(std::string name, const BufferDesc& desc, External external,
+                                      Access importedAs = Access::None);
+    /// The pair of a history image; the executor keeps the contents by name. `known` = it existed last frame
+    /// with the same description (the caller asks the executor's HistoryBook).
+    [[nodiscard]] HistoryImage history(std::string name, const ImageDesc& desc, bool known);
+
+    ComputeNode compute(std::string name, const Shader& shader);
+    RasterNode raster(std::string name, Extent extent);
+    TransferNode transfer(std::string name);
+
+    /// What the frame is for; all that leads to none of these is culled.
+    void output(Image image);
+    void output(Buffer buffer);
+    /// Gives an image a public name, by which `--output-node` finds it. Does not keep it alive.
+    void publish(std::string name, Image image);
+
+    [[nodiscard]] const ImageDesc& desc(Image image) const;
+    [[nodiscard]] const BufferDesc& desc(Buffer buffer) const;
+    [[nodiscard]] Image published(std::string_view name) const;  ///< invalid where there is none
+    [[nodiscard]] std::vector<std::string> publishedNames() const;
+
+    // What compile() reads.
+    struct Output {
+        uint32_t resource;
+        uint32_t version;
+    };
+    struct Published {
+        std::string name;
+        Image image;
+    };
+    [[nodiscard]] const std::vector<ResourceInfo>& resources() const { return resources_; }
+    [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+    [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; }
+    [[nodiscard]] const std::vector<Published>& publishedImages() const { return published_; }
+
+ private:
+    friend class NodeBuilder;
+    std::vector<ResourceInfo> resources_;
+    std::vector<Node> nodes_;
+    std::vector<Output> outputs_;
+    std::vector<Published> published_;
+};
+
+/// Shared part of the three kinds of node builders. A builder is a short-lived view of the node in its Frame.
+class NodeBuilder {
+ public:
+    NodeBuilder(Frame& frame, uint32_t node) : frame_(&frame), node_(node) {}
+    /// The node has an effect outside the graph and is never culled.
+    void keep();
+
+ protected:
+    [[nodiscard]] Node& node();
+    void use(const Use& use);
+    [[nodiscard]] Image useImage(Image image, Use use);
+    [[nodiscard]] Buffer useBuffer(Buffer buffer, Use use);
+    Frame* frame_;
+    uint32_t node_;
+};
+
+/// A compute dispatch. Each call names a slot of shaders/shared/…; reflection must agree with it.
+class ComputeNode : public NodeBuilder {
+ public:
+    using NodeBuilder::NodeBuilder;
+    ComputeNode& read(uint32_t slot, Buffer buffer);                  ///< storage buffer, readonly
+    ComputeNode& readRange(uint32_t slot, Buffer buffer, uint64_t offset, uint64_t bytes);
+    [[nodiscard]] Buffer write(uint32_t slot, Buffer buffer);         ///< what it held is lost
+    [[nodiscard]] Buffer update(uint32_t slot, Buffer buffer);        ///< read and written in place
+    ComputeNode& texels(uint32_t slot, Buffer buffer, Format format);  ///< uniform texel buffer
+    [[nodiscard]] Buffer writeTexels(uint32_t slot, Buffer buffer, Format format);  ///< storage texel buffer
+    ComputeNode& sample(uint32_t slot, Image image, Filtering filtering = Filtering::Nearest,
+                        Addressing addressing = Addressing::Clamp);
+    ComputeNode& read(uint32_t slot, Image image);                    ///< storage image, readonly
+    [[nodiscard]] Image write(uint32_t slot, Image image);
+    [[nodiscard]] Image update(uint32_t slot, Image image);
+    ComputeNode& uniform(uint32_t slot, Buffer buffer);
+    template <typename T>
+    ComputeNode& uniformData(uint32_t slot, const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        return uniformBytes(slot, &value, sizeof(T));
+    }
+    template <typename T>
+    ComputeNode& push(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= 128);
+        return pushBytes(&value, sizeof(T));
+    }
+    ComputeNode& specialise(uint32_t id, uint32_t value);
+    /// Workgroups. The last call of the declaration.
+    void dispatch(uint32_t x, uint32_t y = 1, uint32_t z = 1);
+    /// Enough workgroups of the shader's own size to cover the extent.
+    void dispatchOver(Extent extent);
+    /// Three uint32 group counts at an offset of a buffer.
+    void dispatchIndirect(Buffer groups, uint64_t offset = 0);
+
+ private:
+    ComputeNode& uniformBytes(uint32_t slot, const void* data, size_t bytes);
+    ComputeNode& pushBytes(const void* data, size_t bytes);
+};
+
+/// Draws with dynamic rendering. The slots of both shaders form one set.
+class RasterNode : public NodeBuilder {
+ public:
+    using NodeBuilder::NodeBuilder;
+    [[nodiscard]] Image colour(uint32_t location, Image image);  ///< loads what is there
+    [[nodiscard]] Image clearedColour(uint32_t location, Image image, std::array<float, 4> colour = {});
+    [[nodiscard]] Image clearedColourUint(uint32_t location, Image image, uint32_t value = 0);
+    [[nodiscard]] Image depth(Image image);
+    [[nodiscard]] Image clearedDepth(Image image, float value = 0.0f);
+    RasterNode& testDepth(Image image);  ///< tested, not written
+    RasterNode& vertices(Buffer buffer);
+    RasterNode& indices(Buffer buffer);
+    RasterNode& read(uint32_t slot, Buffer buffer);
+    RasterNode& texels(uint32_t slot, Buffer buffer, Format format);
+    RasterNode& sample(uint32_t slot, Image image, Filtering filtering = Filtering::Nearest,
+                       Addressing addressing = Addressing::Clamp);
+    template <typename T>
+    RasterNode& uniformData(uint32_t slot, const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        return uniformBytes(slot, &value, sizeof(T));
+    }
+    /// Shaders the callback will use, and the callback. The last call of the declaration.
+    void record(std::vector<const Shader*> shaders, std::function<void(RasterCommands&)> callback);
+
+ private:
+    RasterNode& uniformBytes(uint32_t slot, const void* data, size_t bytes);
+};
+
+/// Copies and fills, in the order given.
+class TransferNode : public NodeBuilder {
+ public:
+    using NodeBuilder::NodeBuilder;
+    [[nodiscard]] Buffer fill(Buffer buffer, uint32_t value);
+    [[nodiscard]] Buffer copy(Buffer source, uint64_t sourceOffset, Buffer target, uint64_t targetOffset,
+                              uint64_t bytes);
+    [[nodiscard]] Image copy(Image source, Image target);
+    [[nodiscard]] Buffer copyToBuffer(Image source, Buffer target);
+    [[nodiscard]] Image copyToImage(Buffer source, uint64_t sourceOffset, Image target, uint32_t layer = 0);
+    [[nodiscard]] Image blit(Image source, Image target);
+};
+
+}  // namespace lampyris::graph

@@ -1,0 +1,42 @@
+/// \file The world's meshes, materials and images: shared, immutable, replaced as a whole.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "assets/material.h"
+#include "assets/mesh.h"
+#include "scene/components.h"
+
+namespace lampyris::scene {
+
+/// A shared immutable value and a number that grows when it is replaced.
+template <typename T>
+struct Versioned {
+    std::shared_ptr<const T> value;
+    uint64_t version = 0;  ///< unique over the library's life: equal versions mean equal contents
+};
+
+/// Kept in the ecs::World as its resource. Entities refer to it by id.
+class Library {
+ public:
+    MeshId addMesh(assets::Mesh mesh);
+    MaterialId addMaterial(assets::Material material);
+    int32_t addImage(assets::TextureImage image);
+    /// Puts other contents under an id; what shows it is told by version.
+    void replaceMesh(MeshId id, assets::Mesh mesh);
+    void replaceMaterial(MaterialId id, assets::Material material);
+
+    [[nodiscard]] const std::vector<Versioned<assets::Mesh>>& meshes() const { return meshes_; }
+    [[nodiscard]] const std::vector<Versioned<assets::Material>>& materials() const { return materials_; }
+    [[nodiscard]] const std::vector<Versioned<assets::TextureImage>>& images() const { return images_; }
+
+ private:
+    std::vector<Versioned<assets::Mesh>> meshes_;
+    std::vector<Versioned<assets::Material>> materials_;
+    std::vector<Versioned<assets::TextureImage>> images_;
+    uint64_t lastVersion_ = 0;
+};
+
+}  // namespace lampyris::scene
