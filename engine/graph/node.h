@@ -36,6 +36,7 @@ struct Use {
     Addressing addressing = Addressing::Clamp;
     uint64_t offset = 0;                ///< buffers: first byte bound (texel buffers: a multiple of 256)
     uint64_t bytes = 0;                 ///< buffers: 0 is up to the end
+    bool partial = false;               ///< transfers: writes a part, the rest of the contents stays
     bool clears = false;                ///< attachments: cleared at load
     std::array<float, 4> clearColour{};  ///< colour, or depth in [0]
     bool clearsAsUint = false;
