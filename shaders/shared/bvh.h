@@ -1,0 +1,40 @@
+// The two-level BVH as traversal reads it. Written by modules/accel; read through lib/bvh_walk.glsl alone.
+#ifndef LAMPYRIS_SHARED_BVH_H
+#define LAMPYRIS_SHARED_BVH_H
+
+#include "shared/glsl_compat.h"
+
+LAMPYRIS_SHARED_BEGIN
+
+LAMPYRIS_SLOT(SLOT_BVH_NODES, 16u);      // texels RGBA32Float, BVH_NODE_TEXELS a node
+LAMPYRIS_SLOT(SLOT_BVH_TRIANGLES, 17u);  // texels RGBA32Float, BVH_TRIANGLE_TEXELS a triangle
+LAMPYRIS_SLOT(SLOT_BVH_ROOT, 18u);       // uniform GpuBvhRoot
+
+// Specialization constants.
+LAMPYRIS_SLOT(SPEC_BVH_STACK, 16u);   // entries of the traversal stack: at least the depth of the deepest path
+LAMPYRIS_SLOT(SPEC_BVH_MASKED, 17u);  // 0 where no instance is alpha-masked
+
+// A node: (left lower, left link) (left upper, right link) (right lower, 0) (right upper, 0).
+// An instance's record in its place: three rows of worldToObject, then (root link, instance, flags, 0).
+LAMPYRIS_SLOT(BVH_NODE_TEXELS, 4u);
+// A triangle: (v0, primitive) (v1, 0) (v2, 0), object space, in the order of the leaves.
+LAMPYRIS_SLOT(BVH_TRIANGLE_TEXELS, 3u);
+
+// A link: an inner node's index; or a leaf: 1 to 4 triangles, count − 1 in two bits; or an instance's record.
+LAMPYRIS_SLOT(BVH_LEAF, 0x80000000u);
+LAMPYRIS_SLOT(BVH_INSTANCE, 0x40000000u);
+LAMPYRIS_SLOT(BVH_COUNT_SHIFT, 28u);
+LAMPYRIS_SLOT(BVH_INDEX_MASK, 0x0fffffffu);
+LAMPYRIS_SLOT(BVH_NOTHING, 0xffffffffu);  // no child
+
+// Where every ray begins. With one instance at the identity it begins in that instance's tree.
+struct GpuBvhRoot {
+    uint link;      // BVH_NOTHING for an empty scene
+    uint instance;  // of the tree begun in, or BVH_NOTHING where the link leads to instances
+    uint flags;     // of that instance, INSTANCE_…
+    uint pad0;
+};
+
+LAMPYRIS_SHARED_END
+
+#endif
