@@ -6,16 +6,16 @@
 namespace lampyris::graph {
 
 enum class Access : uint8_t {
-    None,             ///< contents undefined or unknown to the graph
-    Uniform,          ///< uniform buffer
-    TexelRead,        ///< uniform texel buffer
-    StorageRead,      ///< storage buffer or image, read
-    StorageWrite,     ///< storage buffer, image or texel buffer, written
-    StorageUpdate,    ///< the same, read and written
-    Sampled,          ///< combined image sampler
-    ColorWrite,       ///< colour attachment
-    DepthWrite,       ///< depth attachment, tested and written
-    DepthRead,        ///< depth attachment, tested only
+    None,           ///< contents undefined or unknown to the graph
+    Uniform,        ///< uniform buffer
+    TexelRead,      ///< uniform texel buffer
+    StorageRead,    ///< storage buffer or image, read
+    StorageWrite,   ///< storage buffer, image or texel buffer, written
+    StorageUpdate,  ///< the same, read and written
+    Sampled,        ///< combined image sampler
+    ColorWrite,     ///< colour attachment
+    DepthWrite,     ///< depth attachment, tested and written
+    DepthRead,      ///< depth attachment, tested only
     VertexRead,
     IndexRead,
     IndirectRead,
@@ -31,5 +31,7 @@ enum class Access : uint8_t {
 
 /// Where in the pipeline a node's shaders run.
 enum class NodeKind : uint8_t { Compute, Raster, Transfer, Host };
+
+[[nodiscard]] const char* name(NodeKind kind);
 
 }  // namespace lampyris::graph

@@ -1,7 +1,7 @@
 /// \file Declaring one frame: resources in, nodes in any number, and what must come out.
 ///
-/// Handles are values. A node that writes a resource takes the handle and returns its successor; using the
-/// old one afterwards is an error that compile() names ("stale handle").
+/// Handles are values. A node that writes a resource takes the handle and returns its successor;
+/// using the old one afterwards is an error that compile() names ("stale handle").
 #pragma once
 
 #include <cstdint>
@@ -23,17 +23,18 @@ struct ResourceInfo {
     Origin origin = Origin::Transient;
     ImageDesc image;
     BufferDesc buffer;
-    External external;                    ///< imported
-    Access importedAs = Access::None;     ///< how it was last touched outside
+    External external;                      ///< imported
+    Access importedAs = Access::None;       ///< how it was last touched outside
     uint32_t historyPartner = 0xffffffffu;  ///< history: the other of the pair (previous ↔ current)
     bool historyPrevious = false;
     uint32_t versions = 1;
 };
 
-/// An image carried from frame to frame. `previous` holds what `current` held in the last frame that had it.
+/// An image carried from frame to frame. `previous` holds what `current` held in the last frame
+/// that had it.
 struct HistoryImage {
     Image previous;
-    Image current;   ///< contents undefined until written
+    Image current;           ///< contents undefined until written
     bool firstFrame = true;  ///< previous holds zeros
 };
 
@@ -50,18 +51,20 @@ class Frame {
                                     Access importedAs = Access::None);
     [[nodiscard]] Buffer importBuffer(std::string name, const BufferDesc& desc, External external,
                                       Access importedAs = Access::None);
-    /// The pair of a history image; the executor keeps the contents by name. `known` = it existed last frame
-    /// with the same description (the caller asks the executor's HistoryBook).
+    /// The pair of a history image; the executor keeps the contents by name. `known` = it existed
+    /// last frame with the same description (the caller asks the executor's HistoryBook).
     [[nodiscard]] HistoryImage history(std::string name, const ImageDesc& desc, bool known);
 
     ComputeNode compute(std::string name, const Shader& shader);
     RasterNode raster(std::string name, Extent extent);
     TransferNode transfer(std::string name);
 
-    /// What the frame is for; all that leads to none of these is culled.
+    /// What the frame is for; all that leads to none of these is culled. Writes to imported and
+    /// history images and buffers outlive the frame and count as outputs without being named here.
     void output(Image image);
     void output(Buffer buffer);
-    /// Gives an image a public name, by which `--output-node` finds it. Does not keep it alive.
+    /// Gives an image a public name, by which `--output-node` finds it. Does not keep it alive. A
+    /// name used twice is the later image's.
     void publish(std::string name, Image image);
 
     [[nodiscard]] const ImageDesc& desc(Image image) const;
@@ -85,13 +88,16 @@ class Frame {
 
  private:
     friend class NodeBuilder;
+    uint32_t add(ResourceInfo info);
+    uint32_t add(Node node);
     std::vector<ResourceInfo> resources_;
     std::vector<Node> nodes_;
     std::vector<Output> outputs_;
     std::vector<Published> published_;
 };
 
-/// Shared part of the three kinds of node builders. A builder is a short-lived view of the node in its Frame.
+/// Shared part of the three kinds of node builders. A builder is a short-lived view of the node in
+/// its Frame.
 class NodeBuilder {
  public:
     NodeBuilder(Frame& frame, uint32_t node) : frame_(&frame), node_(node) {}
@@ -111,15 +117,16 @@ class NodeBuilder {
 class ComputeNode : public NodeBuilder {
  public:
     using NodeBuilder::NodeBuilder;
-    ComputeNode& read(uint32_t slot, Buffer buffer);                  ///< storage buffer, readonly
+    ComputeNode& read(uint32_t slot, Buffer buffer);  ///< storage buffer, readonly
     ComputeNode& readRange(uint32_t slot, Buffer buffer, uint64_t offset, uint64_t bytes);
-    [[nodiscard]] Buffer write(uint32_t slot, Buffer buffer);         ///< what it held is lost
-    [[nodiscard]] Buffer update(uint32_t slot, Buffer buffer);        ///< read and written in place
+    [[nodiscard]] Buffer write(uint32_t slot, Buffer buffer);   ///< what it held is lost
+    [[nodiscard]] Buffer update(uint32_t slot, Buffer buffer);  ///< read and written in place
     ComputeNode& texels(uint32_t slot, Buffer buffer, Format format);  ///< uniform texel buffer
-    [[nodiscard]] Buffer writeTexels(uint32_t slot, Buffer buffer, Format format);  ///< storage texel buffer
+    [[nodiscard]] Buffer writeTexels(uint32_t slot, Buffer buffer,
+                                     Format format);  ///< storage texel buffer
     ComputeNode& sample(uint32_t slot, Image image, Filtering filtering = Filtering::Nearest,
                         Addressing addressing = Addressing::Clamp);
-    ComputeNode& read(uint32_t slot, Image image);                    ///< storage image, readonly
+    ComputeNode& read(uint32_t slot, Image image);  ///< storage image, readonly
     [[nodiscard]] Image write(uint32_t slot, Image image);
     [[nodiscard]] Image update(uint32_t slot, Image image);
     ComputeNode& uniform(uint32_t slot, Buffer buffer);
@@ -151,7 +158,8 @@ class RasterNode : public NodeBuilder {
  public:
     using NodeBuilder::NodeBuilder;
     [[nodiscard]] Image colour(uint32_t location, Image image);  ///< loads what is there
-    [[nodiscard]] Image clearedColour(uint32_t location, Image image, std::array<float, 4> colour = {});
+    [[nodiscard]] Image clearedColour(uint32_t location, Image image,
+                                      std::array<float, 4> colour = {});
     [[nodiscard]] Image clearedColourUint(uint32_t location, Image image, uint32_t value = 0);
     [[nodiscard]] Image depth(Image image);
     [[nodiscard]] Image clearedDepth(Image image, float value = 0.0f);
@@ -174,17 +182,23 @@ class RasterNode : public NodeBuilder {
     RasterNode& uniformBytes(uint32_t slot, const void* data, size_t bytes);
 };
 
-/// Copies and fills, in the order given.
+/// Copies and fills, in the order given; one node may rewrite a target several times. A copy that
+/// covers a part of its target keeps the rest, which must have been written (by this node's other
+/// copies, say).
 class TransferNode : public NodeBuilder {
  public:
     using NodeBuilder::NodeBuilder;
     [[nodiscard]] Buffer fill(Buffer buffer, uint32_t value);
-    [[nodiscard]] Buffer copy(Buffer source, uint64_t sourceOffset, Buffer target, uint64_t targetOffset,
-                              uint64_t bytes);
+    [[nodiscard]] Buffer copy(Buffer source, uint64_t sourceOffset, Buffer target,
+                              uint64_t targetOffset, uint64_t bytes);
     [[nodiscard]] Image copy(Image source, Image target);
     [[nodiscard]] Buffer copyToBuffer(Image source, Buffer target);
-    [[nodiscard]] Image copyToImage(Buffer source, uint64_t sourceOffset, Image target, uint32_t layer = 0);
+    [[nodiscard]] Image copyToImage(Buffer source, uint64_t sourceOffset, Image target,
+                                    uint32_t layer = 0);
     [[nodiscard]] Image blit(Image source, Image target);
+
+ private:
+    [[nodiscard]] uint64_t sizeOf(Buffer buffer) const;
 };
 
 }  // namespace lampyris::graph

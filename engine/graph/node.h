@@ -1,4 +1,5 @@
-/// \file What a node declares: every access with its slot, so that access and binding cannot disagree.
+/// \file What a node declares: every access with its slot, so that access and binding cannot
+/// disagree.
 #pragma once
 
 #include <array>
@@ -27,25 +28,25 @@ enum class Addressing : uint8_t { Clamp, Repeat };
 struct Use {
     bool isImage = false;
     uint32_t resource = 0;
-    uint32_t version = 0;       ///< read (or, for a pure write, the version retired)
+    uint32_t version = 0;         ///< read (or, for a pure write, the version retired)
     uint32_t writtenVersion = 0;  ///< the successor, where the access writes
     Access access = Access::None;
-    uint32_t slot = kNoSlot;
+    uint32_t slot = kNoSlot;  ///< shader slot; for ColorWrite the attachment's location
     Format texelFormat = Format::Undefined;  ///< for texel buffers
     Filtering filtering = Filtering::Nearest;
     Addressing addressing = Addressing::Clamp;
-    uint64_t offset = 0;                ///< buffers: first byte bound (texel buffers: a multiple of 256)
-    uint64_t bytes = 0;                 ///< buffers: 0 is up to the end
-    bool partial = false;               ///< transfers: writes a part, the rest of the contents stays
-    bool clears = false;                ///< attachments: cleared at load
+    uint64_t offset = 0;   ///< buffers: first byte bound (texel buffers: a multiple of 256)
+    uint64_t bytes = 0;    ///< buffers: 0 is up to the end
+    bool partial = false;  ///< transfers: writes a part, the rest of the contents stays
+    bool clears = false;   ///< attachments: cleared at load
     std::array<float, 4> clearColour{};  ///< colour, or depth in [0]
-    bool clearsAsUint = false;
+    bool clearsAsUint = false;           ///< clearColour holds the bits of four uint32
 };
 
 struct VertexAttribute {
     uint32_t location = 0;
-    uint32_t stream = 0;           ///< index of the vertex buffer
-    uint32_t components = 3;       ///< floats, 1 to 4
+    uint32_t stream = 0;      ///< index of the vertex buffer
+    uint32_t components = 3;  ///< floats, 1 to 4
     uint32_t strideBytes = 12;
 };
 
@@ -54,7 +55,7 @@ struct RasterPipeline {
     const Shader* vertex = nullptr;
     const Shader* fragment = nullptr;
     std::vector<VertexAttribute> attributes;
-    bool depthTest = true;   ///< reversed: greater or equal passes
+    bool depthTest = true;  ///< reversed: greater or equal passes
     bool depthWrite = true;
     bool lines = false;
 };
@@ -64,9 +65,9 @@ struct Draw {
     const RasterPipeline* pipeline = nullptr;
     std::vector<Buffer> streams;
     std::vector<uint64_t> streamOffsets;
-    Buffer indices;               ///< 32-bit
+    Buffer indices;  ///< 32-bit
     uint64_t indexOffsetBytes = 0;
-    uint32_t count = 0;           ///< indices or vertices
+    uint32_t count = 0;  ///< indices or vertices
     uint32_t instances = 1;
     std::array<uint8_t, 128> push{};
     uint32_t pushBytes = 0;
@@ -88,13 +89,20 @@ class RasterCommands {
 
 /// A copy between declared buffers or images.
 struct Copy {
-    enum class Kind : uint8_t { BufferToBuffer, ImageToImage, ImageToBuffer, BufferToImage, Fill, Blit };
+    enum class Kind : uint8_t {
+        BufferToBuffer,
+        ImageToImage,
+        ImageToBuffer,
+        BufferToImage,
+        Fill,
+        Blit
+    };
     Kind kind = Kind::BufferToBuffer;
     uint32_t sourceResource = 0;
     uint32_t targetResource = 0;
     uint64_t sourceOffset = 0;
     uint64_t targetOffset = 0;
-    uint64_t bytes = 0;       ///< buffers
+    uint64_t bytes = 0;  ///< buffers
     uint32_t fillValue = 0;
     uint32_t targetLayer = 0;
 };
@@ -124,10 +132,10 @@ struct Node {
     std::optional<uint32_t> indirectResource;
     uint64_t indirectOffset = 0;
     std::function<void(RasterCommands&)> record;  ///< raster
-    Extent renderExtent;                           ///< raster
-    std::vector<const Shader*> rasterShaders;      ///< raster: for the check of declared writes
-    std::vector<Copy> copies;                      ///< transfer
-    bool keep = false;                             ///< has an effect outside the graph: never culled
+    Extent renderExtent;                          ///< raster
+    std::vector<const Shader*> rasterShaders;     ///< raster: for the check of declared writes
+    std::vector<Copy> copies;                     ///< transfer
+    bool keep = false;                            ///< has an effect outside the graph: never culled
 };
 
 }  // namespace lampyris::graph

@@ -23,7 +23,9 @@ enum class Format : uint8_t {
 
 [[nodiscard]] uint32_t bytesPerTexel(Format format);
 [[nodiscard]] const char* name(Format format);
-[[nodiscard]] inline bool isDepth(Format format) { return format == Format::D32Float; }
+[[nodiscard]] inline bool isDepth(Format format) {
+    return format == Format::D32Float;
+}
 
 struct Extent {
     uint32_t width = 1;
@@ -47,7 +49,8 @@ struct BufferDesc {
     bool operator==(const BufferDesc&) const = default;
 };
 
-/// A version of an image of one Frame. A node that writes it retires it and gives back its successor.
+/// A version of an image of one Frame. A node that writes it retires it and gives back its
+/// successor.
 struct Image {
     uint32_t resource = 0xffffffffu;
     uint32_t version = 0;

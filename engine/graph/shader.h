@@ -1,4 +1,5 @@
-/// \file What the graph knows of a shader: its SPIR-V words and the slots that reflection found in it.
+/// \file What the graph knows of a shader: its SPIR-V words and the slots that reflection found in
+/// it.
 #pragma once
 
 #include <array>
