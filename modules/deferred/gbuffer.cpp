@@ -1,0 +1,99 @@
+#include "deferred/gbuffer.h"
+
+#include <array>
+#include <memory>
+
+#include "deferred/shaders.h"
+#include "shared/gbuffer.h"
+#include "shared/scene.h"
+#include "shared/surface.h"
+
+namespace lampyris::deferred {
+namespace {
+
+using shared::GBufferDraw;
+
+/// Pipelines for every combination of attributes that a mesh may lack; a missing one has stride 0.
+struct GBufferPipelines {
+    std::array<graph::RasterPipeline, 8> byAttributes;
+
+    GBufferPipelines() {
+        for (uint32_t bits = 0; bits < 8; ++bits) {
+            const auto optionalStride = [bits](uint32_t bit) { return (bits & bit) != 0 ? 16u : 0u; };
+            byAttributes[bits] = {.vertex = &shaders::gbufferVert,
+                                  .fragment = &shaders::gbufferFrag,
+                                  .attributes = {{shared::STREAM_POSITION, 0, 3, 12},
+                                                 {shared::STREAM_NORMAL, 1, 3, 12},
+                                                 {shared::STREAM_TANGENT, 2, 4, optionalStride(1)},
+                                                 {shared::STREAM_TEXCOORDS, 3, 4, optionalStride(2)},
+                                                 {shared::STREAM_COLOUR, 4, 4, optionalStride(4)}}};
+        }
+    }
+};
+
+const graph::RasterPipeline& pipelineFor(const residency::DrawItem& item) {
+    static const GBufferPipelines pipelines;
+    return pipelines.byAttributes[(item.hasTangents ? 1u : 0u) | (item.hasTexcoords ? 2u : 0u) |
+                                  (item.hasColours ? 4u : 0u)];
+}
+
+void drawItem(graph::RasterCommands& commands, const residency::SceneHandles& scene,
+              const residency::DrawItem& item) {
+    graph::Draw draw;
+    draw.pipeline = &pipelineFor(item);
+    draw.streams = {scene.positions, scene.normals, scene.tangents, scene.texcoords, scene.colours};
+    draw.streamOffsets = {item.positionOffsetBytes, item.normalOffsetBytes, item.tangentOffsetBytes,
+                          item.texcoordOffsetBytes, item.colourOffsetBytes};
+    draw.indices = scene.indices;
+    draw.indexOffsetBytes = item.indexOffsetBytes;
+    draw.count = item.indexCount;
+    draw.pushConstants(GBufferDraw{item.instance, item.material, item.hasTangents ? 1u : 0u, 0u});
+    commands.draw(draw);
+}
+
+}  // namespace
+
+Surface addGBuffer(graph::Frame& frame, const shared::View& view, const residency::SceneHandles& scene,
+                   const std::vector<residency::DrawItem>& draws) {
+    const graph::Extent size{view.width, view.height};
+    Surface surface{.view = view};
+    auto node = frame.raster("gbuffer", size);
+    surface.depth = node.clearedDepth(frame.image("depth buffer", {graph::Format::D32Float, size}));
+    surface.normal = node.clearedColourUint(shared::TARGET_NORMAL,
+                                            frame.image("packed normal", {graph::Format::R32Uint, size}));
+    surface.albedo = node.clearedColour(shared::TARGET_ALBEDO,
+                                        frame.image("albedo and roughness", {graph::Format::RGBA16Float, size}));
+    surface.specular = node.clearedColour(shared::TARGET_SPECULAR,
+                                          frame.image("reflectance", {graph::Format::RGBA8Unorm, size}));
+    surface.emission = node.clearedColourUint(
+        shared::TARGET_EMISSION, frame.image("packed emission", {graph::Format::R32Uint, size}));
+    node.vertices(scene.positions).vertices(scene.normals).vertices(scene.tangents);
+    node.vertices(scene.texcoords).vertices(scene.colours).indices(scene.indices);
+    node.read(shared::SLOT_INSTANCES, scene.instances)
+        .read(shared::SLOT_MATERIALS, scene.materials)
+        .sample(shared::SLOT_COLOUR_TEXTURES, scene.colourTextures, graph::Filtering::Linear,
+                graph::Addressing::Repeat)
+        .sample(shared::SLOT_DATA_TEXTURES, scene.dataTextures, graph::Filtering::Linear,
+                graph::Addressing::Repeat)
+        .uniformData(shared::SLOT_VIEW, view);
+    node.record({&shaders::gbufferVert, &shaders::gbufferFrag},
+                [scene, items = draws](graph::RasterCommands& commands) {
+                    for (const auto& item : items) drawItem(commands, scene, item);
+                });
+    return surface;
+}
+
+void bindSurface(graph::ComputeNode& node, const Surface& surface) {
+    node.sample(shared::SLOT_SURFACE_DEPTH, surface.depth)
+        .sample(shared::SLOT_SURFACE_NORMAL, surface.normal)
+        .uniformData(shared::SLOT_VIEW, surface.view);
+}
+
+void bindSurfaceMaterial(graph::ComputeNode& node, const Surface& surface) {
+    bindSurface(node, surface);
+    node.sample(shared::SLOT_SURFACE_ALBEDO, surface.albedo)
+        .sample(shared::SLOT_SURFACE_SPECULAR, surface.specular)
+        .sample(shared::SLOT_SURFACE_EMISSION, surface.emission);
+}
+
+}  // namespace lampyris::deferred

@@ -1,0 +1,36 @@
+#include "deferred/light_lists.h"
+
+#include <algorithm>
+
+#include "deferred/shaders.h"
+#include "deferred/view.h"
+#include "shared/scene.h"
+
+namespace lampyris::deferred {
+
+LightLists addLightLists(graph::Frame& frame, const Surface& surface, const TileBounds& bounds,
+                         const residency::SceneHandles& scene, float cutoff, uint32_t seed) {
+    LightLists lists;
+    lists.params = {scene.lightCount, std::max(1u, (scene.lightCount + 31) / 32), cutoff, seed};
+
+    auto reach = frame.compute("sphere_direct/reach", shaders::lightReach);
+    bindSurface(reach, surface);
+    reach.read(shared::SLOT_LIGHTS, scene.lights).push(lists.params);
+    lists.reach = reach.write(shared::SLOT_LIGHT_REACH,
+                              frame.buffer("light reach", {(uint64_t{scene.lightCount} + 3) * sizeof(float)}));
+    reach.dispatch(1);
+
+    const uint32_t tiles = tileCount(surface.view);
+    const uint64_t maskBytes = uint64_t{tiles} * 2 * lists.params.maskWords * sizeof(uint32_t);
+    auto cull = frame.compute("sphere_direct/cull", shaders::lightCull);
+    cull.read(shared::SLOT_TILE_BOUNDS, bounds.bounds)
+        .read(shared::SLOT_LIGHTS, scene.lights)
+        .read(shared::SLOT_LIGHT_REACH, lists.reach)
+        .uniformData(shared::SLOT_VIEW, surface.view)
+        .push(lists.params);
+    lists.masks = cull.write(shared::SLOT_LIGHT_MASKS, frame.buffer("light masks", {maskBytes}));
+    cull.dispatch((tiles + 63) / 64);
+    return lists;
+}
+
+}  // namespace lampyris::deferred

@@ -1,0 +1,80 @@
+// Where a path begins: a sphere light, a spot's cone, or a glowing triangle.
+#ifndef LAMPYRIS_LIB_EMISSION
+#define LAMPYRIS_LIB_EMISSION
+#include "lib/rng.glsl"
+#include "lib/sampling.glsl"
+#include "lib/sphere_light.glsl"
+#include "shared/photon.h"
+#include "shared/scene.h"
+
+layout(set = 0, binding = SLOT_LIGHTS, std430) readonly buffer EmissionLights { GpuLight emissionLights[]; };
+layout(set = 0, binding = SLOT_EMITTERS, std430) readonly buffer Emitters { GpuEmitter emitters[]; };
+layout(set = 0, binding = SLOT_EMITTER_TRIANGLES) uniform samplerBuffer emitterTriangles;
+
+struct PhotonRay {
+    vec3 origin;
+    vec3 direction;
+    vec3 power;  // watts
+};
+
+// The range's own Hammersley set, shifted as a whole by the seed (Cranley-Patterson).
+vec2 emissionSample(PathRange range, uint local, uint seed) {
+    vec2 shift = vec2(tea(uvec2(range.firstPath, seed), 16) & 0x00FFFFFFu) * kTwoToMinus24;
+    return fract(hammersley(local, range.pathCount) + shift);
+}
+
+// Points spread over the sphere, directions by cosine [Thesis 5.3.2.1].
+PhotonRay emitFromSphere(PathRange range, GpuLight light, vec2 xi, inout uvec2 random) {
+    vec3 outward = sampleSphere(xi);
+    return PhotonRay(light.positionRadius.xyz + light.positionRadius.w * outward,
+                     sampleCosine(outward, random2(random)), range.powerPerPath.rgb);
+}
+
+// A sphere sends the same power every way: draw the way in the cone first, then the point on the half facing it.
+// powerPerPath is that of the full cone; the falloff between the two angles weighs it.
+PhotonRay emitFromSpot(PathRange range, GpuLight light, vec2 xi, inout uvec2 random) {
+    vec3 direction = sampleCone(light.direction.xyz, light.power.w, xi);
+    vec2 disk = sampleDisk(random2(random));
+    vec3 t, b;
+    tangents(direction, t, b);
+    vec3 outward = disk.x * t + disk.y * b + sqrt(max(0.0, 1.0 - dot(disk, disk))) * direction;
+    float falloff = coneFactor(dot(direction, light.direction.xyz), light.direction.w, light.power.w);
+    return PhotonRay(light.positionRadius.xyz + light.positionRadius.w * outward, direction,
+                     range.powerPerPath.rgb * falloff);
+}
+
+// A triangle in proportion to its power, a point of it, a direction by cosine. A double-sided one glows both ways.
+PhotonRay emitFromSurface(PathRange range, GpuEmitter emitter, vec2 xi, inout uvec2 random) {
+    int first = int(emitter.firstTriangle * EMITTER_TEXELS);
+    uint low = 0u, high = emitter.triangleCount - 1u;
+    while (low < high) {
+        uint middle = (low + high) / 2u;
+        if (texelFetch(emitterTriangles, first + int(middle * EMITTER_TEXELS) + 1).w > xi.x) high = middle;
+        else low = middle + 1u;
+    }
+    int at = first + int(low * EMITTER_TEXELS);
+    vec4 v0 = texelFetch(emitterTriangles, at);
+    vec4 e1 = texelFetch(emitterTriangles, at + 1);
+    vec4 e2 = texelFetch(emitterTriangles, at + 2);
+    vec3 radiance = texelFetch(emitterTriangles, at + 3).rgb;
+    vec2 r = random2(random);
+    float root = sqrt(r.x);
+    vec3 normal = normalize(cross(e1.xyz, e2.xyz));
+    vec2 side = random2(random);
+    if ((emitter.flags & INSTANCE_DOUBLE_SIDED) != 0u && side.x < 0.5) normal = -normal;
+    vec3 origin = v0.xyz + (1.0 - root) * e1.xyz + root * r.y * e2.xyz;
+    // Triangles are chosen by the mean of rgb; the colour is the triangle's own.
+    float mean = dot(radiance, vec3(1.0 / 3.0));
+    vec3 power = radiance * (range.powerPerPath.w / max(mean, 1e-30));
+    return PhotonRay(origin + normal * (1e-5 * length(origin) + 1e-6), sampleCosine(normal, random2(random)), power);
+}
+
+PhotonRay emitPhoton(PathRange range, uint local, uint seed, inout uvec2 random) {
+    vec2 xi = emissionSample(range, local, seed);
+    if (range.kind == EMIT_SURFACE) return emitFromSurface(range, emitters[range.index], xi, random);
+    GpuLight light = emissionLights[range.index];
+    if (light.power.w > -1.0) return emitFromSpot(range, light, xi, random);
+    return emitFromSphere(range, light, xi, random);
+}
+
+#endif

@@ -1,0 +1,14 @@
+// How low-resolution texels map to pixels, for every node that gathers or up-samples.
+#ifndef LAMPYRIS_LIB_GATHER_GRID
+#define LAMPYRIS_LIB_GATHER_GRID
+#include "lib/surface.glsl"
+#include "shared/tile_bin.h"
+
+layout(push_constant) uniform Push { GatherParams params; };
+
+// The full-resolution pixel that a low-resolution texel stands for: the one at its middle.
+ivec2 representative(ivec2 texel) {
+    return min(texel * int(params.divisor) + int(params.divisor / 2u), ivec2(view.width, view.height) - 1);
+}
+
+#endif

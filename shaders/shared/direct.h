@@ -1,0 +1,33 @@
+// Slots and parameters of the direct light: tile bounds, lights' reach, light lists, shadows, shading.
+#ifndef LAMPYRIS_SHARED_DIRECT_H
+#define LAMPYRIS_SHARED_DIRECT_H
+#include "shared/glsl_compat.h"
+
+LAMPYRIS_SHARED_BEGIN
+
+LAMPYRIS_SLOT(SLOT_TILE_BOUNDS, 0u);       // vec2 a tile: least and greatest view depth; least > greatest: no surface
+LAMPYRIS_SLOT(SLOT_LIGHT_REACH, 2u);       // float a light: metres, then cut-off watts r, g, b
+LAMPYRIS_SLOT(SLOT_LIGHT_MASKS, 3u);       // words a tile: lights that reach it, then lights whose disc it may show
+LAMPYRIS_SLOT(SLOT_SHADOW_MASKS, 4u);      // image, a layer for 32 lights: bit set = in shadow
+LAMPYRIS_SLOT(SLOT_IRRADIANCE_DIRECT, 5u);
+LAMPYRIS_SLOT(SLOT_SPECULAR_DIRECT, 6u);
+LAMPYRIS_SLOT(SLOT_SHOWN, 7u);
+
+LAMPYRIS_SLOT(REACH_THREADS, 256u);
+LAMPYRIS_SLOT(REACH_GRID, 64u);            // samples an axis of the frame [chosen: 4096 samples, 1 % of the mean]
+
+struct DirectParams {
+    uint lightCount;
+    uint maskWords;        // 32-bit words a tile and purpose
+    float cutoff;          // of the frame's mean direct irradiance; 0 = lights reach everywhere
+    uint seed;
+};
+
+LAMPYRIS_SLOT(SHOW_ALBEDO, 0u);
+LAMPYRIS_SLOT(SHOW_NORMAL, 1u);
+LAMPYRIS_SLOT(SHOW_POSITION, 2u);
+LAMPYRIS_SLOT(SHOW_DEPTH, 3u);
+LAMPYRIS_SLOT(SHOW_EMISSION, 4u);
+
+LAMPYRIS_SHARED_END
+#endif

@@ -1,0 +1,76 @@
+// Photons, the split of paths over emitters, the energy ledger, and the counters of a frame.
+#ifndef LAMPYRIS_SHARED_PHOTON_H
+#define LAMPYRIS_SHARED_PHOTON_H
+#include "shared/glsl_compat.h"
+
+LAMPYRIS_SHARED_BEGIN
+
+// photon_trace
+LAMPYRIS_SLOT(SLOT_PATH_RANGES, 0u);      // PathRange[]
+LAMPYRIS_SLOT(SLOT_STAGED_PHOTONS, 1u);   // PackedPhoton[], a fixed number a path
+LAMPYRIS_SLOT(SLOT_PATH_COUNTS, 2u);      // photons a path
+LAMPYRIS_SLOT(SLOT_LEDGER, 3u);           // LEDGER_FLOATS a workgroup
+LAMPYRIS_SLOT(SLOT_PATH_OFFSETS, 4u);     // first photon a path, then their total
+LAMPYRIS_SLOT(SLOT_PHOTONS, 5u);          // PackedPhoton[], in the order (path, bounce)
+LAMPYRIS_SLOT(SLOT_COUNTERS, 6u);         // FrameCounters
+
+// prefix_sum
+LAMPYRIS_SLOT(SLOT_SCAN_COUNTS, 0u);
+LAMPYRIS_SLOT(SLOT_SCAN_OFFSETS, 1u);
+LAMPYRIS_SLOT(SLOT_SCAN_BLOCKS, 2u);
+LAMPYRIS_SLOT(SCAN_THREADS, 64u);
+LAMPYRIS_SLOT(SCAN_BLOCK, 1024u);         // elements a workgroup
+
+LAMPYRIS_SLOT(TRACE_THREADS, 64u);
+LAMPYRIS_SLOT(LEDGER_FLOATS, 16u);        // emitted, absorbed, escaped, in flight, roulette: rgb each; one unused
+
+LAMPYRIS_SLOT(EMIT_SPHERE, 0u);           // `index` is a light
+LAMPYRIS_SLOT(EMIT_SURFACE, 1u);          // `index` is an emissive instance's emitter
+
+// The paths [firstPath, firstPath + pathCount) leave one emitter, each with powerPerPath watts.
+struct PathRange {
+    uint firstPath;
+    uint pathCount;
+    uint kind;
+    uint index;
+    vec4 powerPerPath;
+};
+
+// 32 bytes: position, and power as halves in units of TraceParams.powerScale;
+// direction of travel octahedral; the surface that was hit.
+struct PackedPhoton {
+    uvec4 positionPower;   // position xyz (float bits), power r and g
+    uvec4 powerDirection;  // power b and the bounce, direction, instance, primitive
+};
+
+struct TraceParams {
+    uint firstPath;        // of this batch
+    uint pathCount;        // in this batch
+    uint rangeCount;
+    uint photonsPerPath;   // staged at most
+    uint maxBounces;
+    uint rouletteFrom;     // stored hits before roulette begins; 0xffffffff: never
+    uint seed;
+    float powerScale;      // watts
+};
+
+struct StoreParams {
+    uint pathCount;
+    uint photonsPerPath;
+    uint capacity;         // photons
+    uint pad0;
+};
+
+struct FrameCounters {
+    uint photonsStored;
+    uint photonsDropped;
+    uint pairs;            // (tile, photon)
+    uint pairsDropped;
+    uint mostInTile;
+    uint pixelsRecomputed;
+    uint photonsNeeded;    // the largest batch's, whether they fitted or not
+    uint pairsNeeded;
+};
+
+LAMPYRIS_SHARED_END
+#endif

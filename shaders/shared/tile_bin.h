@@ -1,0 +1,63 @@
+// Slots and parameters of binning photons to tiles, gathering from them, up-sampling and compositing.
+#ifndef LAMPYRIS_SHARED_TILE_BIN_H
+#define LAMPYRIS_SHARED_TILE_BIN_H
+#include "shared/glsl_compat.h"
+
+LAMPYRIS_SHARED_BEGIN
+
+LAMPYRIS_SLOT(SLOT_BIN_PHOTONS, 0u);        // texels RGBA32Uint, two a photon
+LAMPYRIS_SLOT(SLOT_BIN_BOUNDS, 1u);         // vec2 a tile
+LAMPYRIS_SLOT(SLOT_BIN_COUNTERS, 2u);       // FrameCounters
+LAMPYRIS_SLOT(SLOT_BIN_COUNTS, 3u);         // a photon's tiles, a tile's photons, or a block's digits
+LAMPYRIS_SLOT(SLOT_BIN_OFFSETS, 4u);        // sums before each of those
+LAMPYRIS_SLOT(SLOT_BIN_TILES, 5u);          // of each pair: its tile
+LAMPYRIS_SLOT(SLOT_BIN_INDICES, 6u);        // of each pair: its photon
+LAMPYRIS_SLOT(SLOT_BIN_SORTED_TILES, 7u);
+LAMPYRIS_SLOT(SLOT_BIN_SORTED_INDICES, 8u);
+LAMPYRIS_SLOT(SLOT_BIN_RANGES, 9u);         // uvec2 a tile: first pair, pairs
+LAMPYRIS_SLOT(SLOT_BIN_PHOTON_TOTAL, 14u);  // path offsets; the last is the photons' number
+
+LAMPYRIS_SLOT(SLOT_GATHER_INDICES, 2u);     // texels R32Uint
+LAMPYRIS_SLOT(SLOT_GATHER_COUNTERS, 1u);    // FrameCounters
+LAMPYRIS_SLOT(SLOT_GATHER_COARSE, 3u);      // irradiance at low resolution
+LAMPYRIS_SLOT(SLOT_GATHER_EDGES, 4u);       // image: 0, or 1 + place in the list of pixels to recompute
+LAMPYRIS_SLOT(SLOT_GATHER_LIST, 5u);        // those pixels, x | y << 16
+LAMPYRIS_SLOT(SLOT_GATHER_ESTIMATES, 6u);   // vec4 of irradiance for each of them
+LAMPYRIS_SLOT(SLOT_GATHER_IRRADIANCE, 7u);  // at full resolution
+LAMPYRIS_SLOT(SLOT_GATHER_GROUPS, 8u);      // indirect dispatch
+
+LAMPYRIS_SLOT(SLOT_COMPOSITE_DIRECT, 0u);
+LAMPYRIS_SLOT(SLOT_COMPOSITE_SPECULAR, 1u);
+LAMPYRIS_SLOT(SLOT_COMPOSITE_INDIRECT, 2u);
+LAMPYRIS_SLOT(SLOT_COMPOSITE_MASKS, 3u);
+LAMPYRIS_SLOT(SLOT_COMPOSITE_OUT, 4u);
+
+LAMPYRIS_SLOT(SORT_DIGIT_BITS, 5u);         // [chosen: 32 private counters for each of 64 threads fit 8 KiB]
+LAMPYRIS_SLOT(SORT_DIGITS, 32u);
+LAMPYRIS_SLOT(SORT_THREADS, 64u);
+LAMPYRIS_SLOT(SORT_BLOCK, 1024u);           // pairs a workgroup
+LAMPYRIS_SLOT(TILE_CHUNKS, 8u);             // shares of the photon list that a tile's 64 threads take, 8 threads each
+
+struct BinParams {
+    uint capacity;       // photons (store) that may be there
+    uint pathCount;      // of this batch: where the photons' total stands in the path offsets
+    uint pairCapacity;
+    float radius;        // metres
+    uint shift;          // first bit of the sort's digit
+    uint blocks;         // of the sort
+    uint pad0, pad1;
+};
+
+struct GatherParams {
+    float radius;        // metres
+    float powerScale;    // watts
+    uint divisor;        // an axis
+    uint coarseWidth;
+    uint coarseHeight;
+    uint lightCount;     // composite
+    uint maskWords;
+    float normalLimit;   // least cosine between a pixel's normal and its neighbours'
+};
+
+LAMPYRIS_SHARED_END
+#endif
