@@ -1,6 +1,7 @@
 #include "graph/access.h"
 
 #include <array>
+#include <cstddef>
 
 namespace lampyris::graph {
 

@@ -26,8 +26,8 @@ struct Barrier {
     /// All touches since the previous barrier. Empty: none in this frame (an image's first layout);
     /// take the destination's stages as source, which chains it to the frame's opening barrier and
     /// to `handover`.
-    TouchSet source;
-    TouchSet destination;  ///< all touches until the next barrier
+    TouchSet source{};
+    TouchSet destination{};  ///< all touches until the next barrier
     Layout before = Layout::Undefined;
     Layout after = Layout::Undefined;
     bool discards = false;  ///< what it held is lost (then `before` is Undefined)
@@ -41,8 +41,8 @@ struct Handover {
 
 /// A global memory barrier: all earlier users of the memory → the first touches of the new ones.
 struct MemoryBarrier {
-    TouchSet source;
-    TouchSet destination;
+    TouchSet source{};
+    TouchSet destination{};
     std::vector<Handover> handovers;  ///< empty: there is nothing to do
 };
 

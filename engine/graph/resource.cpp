@@ -1,6 +1,7 @@
 #include "graph/resource.h"
 
 #include <array>
+#include <cstddef>
 
 namespace lampyris::graph {
 

@@ -1,5 +1,7 @@
 #include "graph/touch.h"
 
+#include <cstddef>
+
 namespace lampyris::graph {
 namespace {
 

@@ -1,0 +1,14 @@
+/// \file A number that changes whenever the executor must make its transients anew.
+#pragma once
+
+#include <cstdint>
+
+#include "graph/compiled.h"
+#include "graph/frame.h"
+
+namespace lampyris::graph {
+
+/// Of heaps, and of every placed resource: its index, name, description, accesses, and place.
+[[nodiscard]] uint64_t layoutHash(const Frame& frame, const CompiledGraph& graph);
+
+}  // namespace lampyris::graph
