@@ -113,10 +113,11 @@ struct Specialisation {
     uint32_t value = 0;
 };
 
-/// A small struct bound as a uniform buffer; the executor places it.
+/// Small data of this frame, bound as a uniform (or readonly storage) buffer; the executor places it.
 struct UniformData {
     uint32_t slot = 0;
     std::vector<uint8_t> bytes;
+    bool storage = false;  ///< bound as a storage buffer: more than a uniform buffer may hold
 };
 
 /// Everything a node said of itself.

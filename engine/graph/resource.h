@@ -41,6 +41,7 @@ struct ImageDesc {
     Format format = Format::Undefined;
     Extent extent;
     uint32_t layers = 1;  ///< above 1: a 2D array
+    bool array = false;   ///< shaders see an array even with one layer
     bool operator==(const ImageDesc&) const = default;
 };
 

@@ -1,0 +1,86 @@
+#include "photons/path_split.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lampyris::photons {
+namespace {
+
+float mean(const glm::vec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3.0f; }
+float largest(const glm::vec3& rgb) { return std::max({rgb.x, rgb.y, rgb.z}); }
+
+Emitter sphereEmitter(uint32_t index, const scene::SnapshotLight& light) {
+    Emitter emitter{shared::EMIT_SPHERE, index, light.powerWatts, light.powerWatts};
+    if (light.cosOuterCone > -1.0f) {
+        // Share of all directions, and of it what the squared falloff between the cones lets through.
+        const float outer = 0.5f * (1.0f - light.cosOuterCone);
+        const float inner = 0.5f * (1.0f - light.cosInnerCone);
+        emitter.sampledWatts = light.powerWatts * outer;
+        emitter.powerWatts = light.powerWatts * (inner + (outer - inner) / 3.0f);
+    }
+    return emitter;
+}
+
+/// Whole shares that sum to `total`, at least one each.
+std::vector<uint32_t> apportion(const std::vector<Emitter>& emitters, uint32_t total) {
+    const double sum = std::accumulate(emitters.begin(), emitters.end(), 0.0, [](double s, const Emitter& e) {
+        return s + static_cast<double>(mean(e.powerWatts));
+    });
+    const auto spare = static_cast<double>(total - emitters.size());
+    std::vector<uint32_t> shares(emitters.size(), 1);
+    std::vector<double> remainders(emitters.size());
+    uint32_t given = static_cast<uint32_t>(emitters.size());
+    for (size_t i = 0; i < emitters.size(); ++i) {
+        const double exact = spare * static_cast<double>(mean(emitters[i].powerWatts)) / sum;
+        const auto whole = static_cast<uint32_t>(std::floor(exact));
+        shares[i] += whole;
+        given += whole;
+        remainders[i] = exact - whole;
+    }
+    std::vector<size_t> order(emitters.size());
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return remainders[a] > remainders[b]; });
+    for (size_t i = 0; given < total; i = (i + 1) % order.size(), ++given) ++shares[order[i]];
+    return shares;
+}
+
+}  // namespace
+
+std::vector<Emitter> listEmitters(const std::vector<scene::SnapshotLight>& lights,
+                                  const std::vector<shared::GpuEmitter>& emissive) {
+    std::vector<Emitter> emitters;
+    for (uint32_t i = 0; i < lights.size(); ++i) {
+        const Emitter emitter = sphereEmitter(i, lights[i]);
+        if (mean(emitter.powerWatts) > 0.0f) emitters.push_back(emitter);
+    }
+    for (uint32_t i = 0; i < emissive.size(); ++i) {
+        const glm::vec3 power(emissive[i].power);
+        if (mean(power) > 0.0f && emissive[i].triangleCount > 0)
+            emitters.push_back({shared::EMIT_SURFACE, i, power, power});
+    }
+    return emitters;
+}
+
+PathSplit splitPaths(const std::vector<Emitter>& emitters, uint32_t paths) {
+    PathSplit split;
+    if (emitters.empty() || paths == 0) return split;
+    split.paths = std::max(paths, static_cast<uint32_t>(emitters.size()));
+    const std::vector<uint32_t> shares = apportion(emitters, split.paths);
+    uint32_t first = 0;
+    split.powerScale = 0.0f;
+    for (size_t i = 0; i < emitters.size(); ++i) {
+        const glm::vec3 perPath = emitters[i].sampledWatts / static_cast<float>(shares[i]);
+        split.ranges.push_back(
+            {first, shares[i], emitters[i].kind, emitters[i].index, glm::vec4(perPath, mean(perPath))});
+        first += shares[i];
+        // A glowing triangle may hold all the power of a path in one channel.
+        const bool surface = emitters[i].kind == shared::EMIT_SURFACE;
+        split.powerScale = std::max(split.powerScale, surface ? 3.0f * mean(perPath) : largest(perPath));
+        split.anySurface = split.anySurface || surface;
+    }
+    return split;
+}
+
+}  // namespace lampyris::photons

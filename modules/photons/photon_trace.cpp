@@ -1,0 +1,83 @@
+#include "photons/photon_trace.h"
+
+#include <algorithm>
+
+#include "photons/prefix_sum.h"
+#include "photons/shaders.h"
+#include "shared/scene.h"
+
+namespace lampyris::photons {
+namespace {
+
+constexpr uint64_t kStorageRange = uint64_t{128} << 20;  // Vulkan's guaranteed maxStorageBufferRange
+// [chosen] Stored hits before roulette: the first three carry most of the light and stay free of its noise.
+constexpr uint32_t kRouletteFrom = 3;
+
+uint32_t traceGroups(uint32_t paths) { return (paths + shared::TRACE_THREADS - 1) / shared::TRACE_THREADS; }
+
+}  // namespace
+
+uint32_t photonsPerPath(const PathSplit& split, uint32_t maxBounces) {
+    return maxBounces + (split.anySurface ? 1u : 0u);
+}
+
+std::vector<PathBatch> batchPaths(const PathSplit& split, uint32_t maxBounces, uint32_t largestBatch) {
+    const uint64_t pathBytes = uint64_t{photonsPerPath(split, maxBounces)} * sizeof(shared::PackedPhoton);
+    const auto most = static_cast<uint32_t>(
+        std::min<uint64_t>({kStorageRange / std::max<uint64_t>(pathBytes, 1), kMaxPhotonCapacity, largestBatch}));
+    std::vector<PathBatch> batches;
+    // Even shares, so that the last batch is no smaller than it must be.
+    const uint32_t count = (split.paths + most - 1) / std::max(most, 1u);
+    for (uint32_t i = 0; i < count; ++i) {
+        const auto first = static_cast<uint32_t>(uint64_t{split.paths} * i / count);
+        const auto end = static_cast<uint32_t>(uint64_t{split.paths} * (i + 1) / count);
+        batches.push_back({first, end - first});
+    }
+    return batches;
+}
+
+PhotonList addPhotonTrace(graph::Frame& frame, const residency::SceneHandles& scene,
+                          const accel::AccelHandles& accel, const PathSplit& split, const PathBatch& batch,
+                          const TraceSettings& settings, graph::Buffer counters) {
+    const uint32_t perPath = photonsPerPath(split, settings.maxBounces);
+    const uint32_t groups = traceGroups(batch.pathCount);
+    const uint64_t stagedBytes = uint64_t{batch.pathCount} * perPath * sizeof(shared::PackedPhoton);
+
+    auto trace = frame.compute("photon_trace", shaders::photonTrace);
+    accel::bindTraversal(trace, accel, scene);
+    trace.read(shared::SLOT_LIGHTS, scene.lights)
+        .read(shared::SLOT_EMITTERS, scene.emitters)
+        .texels(shared::SLOT_EMITTER_TRIANGLES, scene.emitterTriangles, graph::Format::RGBA32Float)
+        .storageData(shared::SLOT_PATH_RANGES, split.ranges.data(),
+                     split.ranges.size() * sizeof(shared::PathRange))
+        .push(shared::TraceParams{batch.firstPath, batch.pathCount, static_cast<uint32_t>(split.ranges.size()),
+                                  perPath, settings.maxBounces, settings.roulette ? kRouletteFrom : 0xffffffffu,
+                                  settings.seed, split.powerScale});
+    const graph::Buffer staged =
+        trace.write(shared::SLOT_STAGED_PHOTONS, frame.buffer("staged photons", {stagedBytes}));
+    const graph::Buffer counts = trace.write(
+        shared::SLOT_PATH_COUNTS, frame.buffer("path counts", {uint64_t{batch.pathCount} * sizeof(uint32_t)}));
+    PhotonList list;
+    list.ledger = trace.write(
+        shared::SLOT_LEDGER,
+        frame.buffer("energy ledger", {uint64_t{groups} * shared::LEDGER_FLOATS * sizeof(float)}));
+    trace.dispatch(groups);
+
+    list.pathOffsets = addPrefixSum(frame, "photon_trace", counts, batch.pathCount);
+    list.pathCount = batch.pathCount;
+    list.capacity = settings.photonCapacity;
+    list.powerScale = split.powerScale;
+
+    auto store = frame.compute("photon_trace/store", shaders::photonStore);
+    store.read(shared::SLOT_STAGED_PHOTONS, staged)
+        .read(shared::SLOT_PATH_OFFSETS, list.pathOffsets)
+        .push(shared::StoreParams{batch.pathCount, perPath, settings.photonCapacity, 0});
+    list.photons = store.write(
+        shared::SLOT_PHOTONS,
+        frame.buffer("photons", {uint64_t{settings.photonCapacity} * sizeof(shared::PackedPhoton)}));
+    list.counters = store.update(shared::SLOT_COUNTERS, counters);
+    store.dispatch(groups);
+    return list;
+}
+
+}  // namespace lampyris::photons
