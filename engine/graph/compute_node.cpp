@@ -78,9 +78,15 @@ void ComputeNode::dispatchIndirect(Buffer groups, uint64_t offset) {
     node().indirectOffset = offset;
 }
 
+ComputeNode& ComputeNode::storageData(uint32_t slot, const void* data, size_t bytes) {
+    const auto* first = static_cast<const uint8_t*>(data);
+    node().uniforms.push_back({slot, {first, first + bytes}, true});
+    return *this;
+}
+
 ComputeNode& ComputeNode::uniformBytes(uint32_t slot, const void* data, size_t bytes) {
     const auto* first = static_cast<const uint8_t*>(data);
-    node().uniforms.push_back({slot, {first, first + bytes}});
+    node().uniforms.push_back({slot, {first, first + bytes}, false});
     return *this;
 }
 

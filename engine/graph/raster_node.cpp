@@ -73,7 +73,7 @@ void RasterNode::record(std::vector<const Shader*> shaders,
 
 RasterNode& RasterNode::uniformBytes(uint32_t slot, const void* data, size_t bytes) {
     const auto* first = static_cast<const uint8_t*>(data);
-    node().uniforms.push_back({slot, {first, first + bytes}});
+    node().uniforms.push_back({slot, {first, first + bytes}, false});
     return *this;
 }
 

@@ -77,7 +77,8 @@ core::Result<std::map<uint32_t, Declared>> declaredSlots(const Frame& frame, con
         if (!slots.try_emplace(use.slot, declared).second) return twice(node, use.slot, what);
     }
     for (const UniformData& data : node.uniforms) {
-        const Declared declared{SlotKind::UniformBuffer, false, "uniform data"};
+        const Declared declared{data.storage ? SlotKind::StorageBuffer : SlotKind::UniformBuffer,
+                                false, "uniform data"};
         if (!slots.try_emplace(data.slot, declared).second) {
             return twice(node, data.slot, declared.what);
         }

@@ -16,7 +16,7 @@ graph::Image addShadow(graph::Frame& frame, const Surface& surface, const LightL
         .push(lights.params);
     const graph::Image bits = node.write(
         shared::SLOT_SHADOW_MASKS,
-        frame.image("shadow masks", {graph::Format::R32Uint, size, lights.params.maskWords}));
+        frame.image("shadow masks", {graph::Format::R32Uint, size, lights.params.maskWords, true}));
     node.dispatchOver(size);
     return bits;
 }
