@@ -40,9 +40,11 @@ class ComputeNode : public NodeBuilder {
     ComputeNode& readRange(uint32_t slot, Buffer buffer, uint64_t offset, uint64_t bytes);
     [[nodiscard]] Buffer write(uint32_t slot, Buffer buffer);   ///< what it held is lost
     [[nodiscard]] Buffer update(uint32_t slot, Buffer buffer);  ///< read and written in place
+    [[nodiscard]] Buffer updateRange(uint32_t slot, Buffer buffer, uint64_t offset, uint64_t bytes);
     ComputeNode& texels(uint32_t slot, Buffer buffer, Format format);  ///< uniform texel buffer
-    [[nodiscard]] Buffer writeTexels(uint32_t slot, Buffer buffer,
-                                     Format format);  ///< storage texel buffer
+    /// Storage texel buffers: what it held is lost, or stays where the shader writes nothing.
+    [[nodiscard]] Buffer writeTexels(uint32_t slot, Buffer buffer, Format format);
+    [[nodiscard]] Buffer updateTexels(uint32_t slot, Buffer buffer, Format format);
     ComputeNode& sample(uint32_t slot, Image image, Filtering filtering = Filtering::Nearest,
                         Addressing addressing = Addressing::Clamp);
     ComputeNode& read(uint32_t slot, Image image);  ///< storage image, readonly

@@ -21,6 +21,11 @@ Buffer ComputeNode::update(uint32_t slot, Buffer buffer) {
     return useBuffer(buffer, {.access = Access::StorageUpdate, .slot = slot});
 }
 
+Buffer ComputeNode::updateRange(uint32_t slot, Buffer buffer, uint64_t offset, uint64_t bytes) {
+    return useBuffer(
+        buffer, {.access = Access::StorageUpdate, .slot = slot, .offset = offset, .bytes = bytes});
+}
+
 ComputeNode& ComputeNode::texels(uint32_t slot, Buffer buffer, Format format) {
     (void)useBuffer(buffer, {.access = Access::TexelRead, .slot = slot, .texelFormat = format});
     return *this;
@@ -28,6 +33,11 @@ ComputeNode& ComputeNode::texels(uint32_t slot, Buffer buffer, Format format) {
 
 Buffer ComputeNode::writeTexels(uint32_t slot, Buffer buffer, Format format) {
     return useBuffer(buffer, {.access = Access::StorageWrite, .slot = slot, .texelFormat = format});
+}
+
+Buffer ComputeNode::updateTexels(uint32_t slot, Buffer buffer, Format format) {
+    return useBuffer(buffer,
+                     {.access = Access::StorageUpdate, .slot = slot, .texelFormat = format});
 }
 
 ComputeNode& ComputeNode::sample(uint32_t slot, Image image, Filtering filtering,

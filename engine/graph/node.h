@@ -113,7 +113,8 @@ struct Specialisation {
     uint32_t value = 0;
 };
 
-/// Small data of this frame, bound as a uniform (or readonly storage) buffer; the executor places it.
+/// Small data of this frame, bound as a uniform (or readonly storage) buffer; the executor places
+/// it.
 struct UniformData {
     uint32_t slot = 0;
     std::vector<uint8_t> bytes;
