@@ -14,7 +14,7 @@ namespace lampyris::assets {
 
 /// What a file may ask of memory before it is refused.
 struct GltfLimits {
-    uint64_t decodedBytes = uint64_t{8} << 30;  ///< meshes, animations and images together [chosen]
+    uint64_t decodedBytes = uint64_t{4} << 30;  ///< meshes, animations and images together [chosen]
     uint32_t imageSide = 16384;  ///< texels [chosen: the largest 2D image of common devices]
 };
 

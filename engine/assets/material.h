@@ -20,7 +20,8 @@ struct TextureImage {
 enum class Wrap : uint8_t { Repeat, Clamp, Mirror };
 enum class Filter : uint8_t { Nearest, Linear };
 
-/// How a material looks an image up. Bilinear at the base level: no mipmaps, as rays have no footprint.
+/// How a material looks an image up. Bilinear at the base level: no mipmaps, as rays have no
+/// footprint.
 struct TextureUse {
     int32_t image = -1;  ///< index into the images of the model or snapshot; −1 is none
     uint32_t texcoordSet = 0;
@@ -35,12 +36,13 @@ enum class AlphaMode : uint8_t { Opaque, Mask, Blend };
 
 struct Material {
     std::string name;
-    glm::vec4 baseColour{1.0f};          ///< linear RGBA
+    glm::vec4 baseColour{1.0f};  ///< linear RGBA
     float metallic = 1.0f;
     float roughness = 1.0f;
-    glm::vec3 emissiveRadiance{0.0f};    ///< factor · emissive strength, W/(m²·sr); times its sRGB texture
+    glm::vec3 emissiveRadiance{
+        0.0f};  ///< factor · emissive strength, W/(m²·sr); times its sRGB texture
     float normalScale = 1.0f;
-    float specularFactor = 1.0f;         ///< KHR_materials_specular; 0 is Lambertian
+    float specularFactor = 1.0f;  ///< KHR_materials_specular; 0 is Lambertian
     glm::vec3 specularColour{1.0f};
     AlphaMode alphaMode = AlphaMode::Opaque;
     float alphaCutoff = 0.5f;

@@ -16,7 +16,8 @@ struct MorphTarget {
     std::vector<glm::vec3> normals;
 };
 
-/// An indexed triangle mesh in object space. Optional attributes are empty, or as long as positions.
+/// An indexed triangle mesh in object space. Optional attributes are empty, or as long as
+/// positions.
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;   ///< metres; always finite
@@ -28,11 +29,13 @@ struct Mesh {
     std::vector<glm::uvec4> joints;     ///< optional
     std::vector<glm::vec4> weights;     ///< optional, summing to 1
     std::vector<MorphTarget> morphTargets;
-    std::vector<float> morphWeights;    ///< default weights, as many as targets
-    std::vector<uint32_t> indices;      ///< three a triangle, each < positions.size()
+    std::vector<float> morphWeights;  ///< default weights, as many as targets
+    std::vector<uint32_t> indices;    ///< three a triangle, each < positions.size()
     math::Bounds bounds;
 
-    [[nodiscard]] uint32_t triangleCount() const { return static_cast<uint32_t>(indices.size() / 3); }
+    [[nodiscard]] uint32_t triangleCount() const {
+        return static_cast<uint32_t>(indices.size() / 3);
+    }
 };
 
 /// Recomputes bounds from the positions that the indices use.
