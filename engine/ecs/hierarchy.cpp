@@ -25,7 +25,7 @@ struct Kinship {
         std::vector<Entity>& siblings = families.at(at).entities_;
         siblings.erase(std::find(siblings.begin(), siblings.end(), child));
         families.stamp(at, world.tick());
-        if (siblings.empty()) world.take<Children>(parent);
+        if (siblings.empty()) families.take(parent, world.tick());
     }
 
     static void unlink(World& world, Entity child, Entity parent) {

@@ -24,7 +24,8 @@ class Parent {
     Entity entity_;
 };
 
-/// On every entity that has children, in the order in which they came.
+/// On every entity that has children, in the order in which they came. To observe the hierarchy,
+/// observe Parent: changes here tell nobody.
 class Children {
  public:
     [[nodiscard]] std::span<const Entity> entities() const { return entities_; }

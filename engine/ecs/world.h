@@ -115,6 +115,9 @@ class World {
     /// tell nobody.
     template <Component C>
     [[nodiscard]] Pool<C>& pool();
+    /// Tells onChange observers of a change that was made through pool().
+    template <Component C>
+    void announceChange(Entity e);
     /// Null where no entity ever had one.
     template <Component C>
     [[nodiscard]] const Pool<C>* findPool() const;
@@ -131,8 +134,6 @@ class World {
     uint32_t demand(const Pool<C>& pool, Entity e, const char* call) const;
     template <Component C>
     Pool<C>& insert(Entity e, C value, const char* call);
-    template <Component C>
-    void announceChange(Pool<C>& pool, Entity e);
     template <Component C>
     bool take(Entity e);
     void bury(Entity e, std::vector<std::unique_ptr<Departure>>& departures);

@@ -39,7 +39,8 @@ Pool<C>& World::insert(Entity e, C value, const char* call) {
 }
 
 template <Component C>
-void World::announceChange(Pool<C>& pool, Entity e) {
+void World::announceChange(Entity e) {
+    Pool<C>& pool = this->pool<C>();
     if (!pool.changed.empty()) pool.changed.notifyWhile([&] { return pool.contains(e); }, *this, e);
 }
 
@@ -59,7 +60,7 @@ void World::set(Entity e, C value) {
     }
     pool.at(at) = std::move(value);
     pool.stamp(at, tick_);
-    announceChange(pool, e);
+    announceChange<C>(e);
 }
 
 template <Component C>
@@ -79,7 +80,7 @@ template <Component C>
 C& World::edit(Entity e) {
     Pool<C>& pool = this->pool<C>();
     pool.stamp(demand(pool, e, "edit"), tick_);
-    announceChange(pool, e);
+    announceChange<C>(e);
     return pool.at(demand(pool, e, "edit"));
 }
 
@@ -89,7 +90,7 @@ void World::edit(Entity e, const F& write) {
     const uint32_t at = demand(pool, e, "edit");
     pool.stamp(at, tick_);
     write(pool.at(at));
-    announceChange(pool, e);
+    announceChange<C>(e);
 }
 
 template <Component C>
