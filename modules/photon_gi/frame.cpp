@@ -1,0 +1,66 @@
+// Read this file first: the frame as a storyboard. Each node is one function in a file of its own name.
+#include "photon_gi/frame.h"
+
+#include "deferred/shadow.h"
+#include "deferred/show_surface.h"
+#include "deferred/sphere_direct.h"
+#include "photon_gi/composite.h"
+#include "photon_gi/show_light.h"
+#include "photon_gi/tile_test.h"
+#include "photon_gi/upsample.h"
+
+namespace lampyris::photon_gi {
+namespace {
+
+struct Indirect {
+    graph::Image irradiance;
+    graph::Image edges;
+};
+
+/// Photons of one batch after the other: traced, binned, gathered; their irradiances add up.
+Indirect addIndirect(graph::Frame& f, const FrameInputs& in, const Settings& s, const Capacities& room,
+                     const deferred::Surface& surface, const deferred::TileBounds& bounds, DrawnFrame& out) {
+    const bool thesis = s.pipeline == Pipeline::Thesis;
+    const GatherSettings gather{s.radiusMetres, s.gatherDivisor};
+    const photons::TraceSettings trace{s.maxBounces, !thesis, in.seed, room.photons};
+    auto clear = f.transfer("gather/clear");
+    const auto zeroed = clear.fill(f.buffer("frame counters", {sizeof(shared::FrameCounters)}), 0);
+    auto edges = addEdges(f, surface, zeroed, gather);
+    Gathered gathered;
+    for (const auto& batch : photons::batchPaths(in.paths, s.maxBounces, s.largestBatch)) {
+        const auto photons = photons::addPhotonTrace(f, in.scene, in.accel, in.paths, batch, trace, edges.counters);
+        const auto tiles = thesis ? addTileTest(f, photons, bounds, in.view, {s.radiusMetres, room.pairs})
+                                  : addTileBin(f, photons, bounds, in.view, {s.radiusMetres, room.pairs});
+        edges.counters = tiles.counters;
+        gathered = addGather(f, surface, photons, tiles, edges, gather, gathered);
+        out.ledgers.push_back(photons.ledger);
+    }
+    out.counters = edges.counters;
+    return {addUpsample(f, surface, gathered, edges, gather), edges.edges};
+}
+
+}  // namespace
+
+DrawnFrame drawFrame(graph::Frame& f, const FrameInputs& in, const Settings& s, const Capacities& room) {
+    DrawnFrame out;
+    const auto surface = deferred::addGBuffer(f, in.view, in.scene, in.draws);
+    const auto bounds = deferred::addTileBounds(f, surface);
+    const auto lights = deferred::addLightLists(f, surface, bounds, in.scene, s.lightCutoff, in.seed);
+    graph::Image shadows;
+    if (s.shadows && s.pipeline != Pipeline::Thesis)
+        shadows = deferred::addShadow(f, surface, lights, in.scene, in.accel);
+    const auto direct = deferred::addSphereDirect(f, surface, lights, shadows, in.scene);
+
+    Indirect indirect;
+    if (s.pipeline != Pipeline::Direct && s.maxBounces > 0 && in.paths.paths > 0)
+        indirect = addIndirect(f, in, s, room, surface, bounds, out);
+
+    out.radiance = addComposite(f, surface, direct, indirect.irradiance, lights, in.scene);
+    out.lightReach = lights.reach;
+    f.publish("final", out.radiance);
+    deferred::publishSurface(f, surface);
+    publishLight(f, surface, direct, indirect.irradiance, indirect.edges);
+    return out;
+}
+
+}  // namespace lampyris::photon_gi

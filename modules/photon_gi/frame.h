@@ -1,0 +1,36 @@
+/// \file The frame, from the scene to the finished picture. frame.cpp is the file to read first.
+#pragma once
+
+#include <vector>
+
+#include "accel/accel_on_gpu.h"
+#include "graph/frame.h"
+#include "photon_gi/settings.h"
+#include "photons/path_split.h"
+#include "residency/scene_handles.h"
+#include "shared/view.h"
+
+namespace lampyris::photon_gi {
+
+/// All that a frame is drawn from.
+struct FrameInputs {
+    residency::SceneHandles scene;
+    accel::AccelHandles accel;
+    std::vector<residency::DrawItem> draws;
+    photons::PathSplit paths;
+    shared::View view;
+    uint32_t seed = 1;  ///< of this frame
+};
+
+/// What came of it. The buffers are for reading back after the frame.
+struct DrawnFrame {
+    graph::Image radiance;               ///< "final": RGBA16F
+    graph::Buffer counters;              ///< shared::FrameCounters; invalid where there is no indirect light
+    std::vector<graph::Buffer> ledgers;  ///< a batch each
+    graph::Buffer lightReach;            ///< metres a light, then the watts cut off
+};
+
+[[nodiscard]] DrawnFrame drawFrame(graph::Frame& frame, const FrameInputs& in, const Settings& settings,
+                                   const Capacities& room);
+
+}  // namespace lampyris::photon_gi

@@ -1,0 +1,71 @@
+/// \file What a program holds: the scene on the device, the room that frames need, and what each frame reports.
+#pragma once
+
+#include <string>
+
+#include "core/image.h"
+#include "execute/executor.h"
+#include "graph/compile.h"
+#include "photon_gi/frame.h"
+#include "photons/energy_ledger.h"
+#include "residency/scene_on_gpu.h"
+#include "scene/snapshot.h"
+
+namespace lampyris::photon_gi {
+
+struct FrameRequest {
+    graph::Extent size{1280, 720};
+    Settings settings;
+    uint64_t frameNumber = 0;
+    scene::SnapshotCamera camera;
+};
+
+/// Measured after the frame, outside its timed range.
+struct FrameReport {
+    uint32_t paths = 0;
+    shared::FrameCounters counters{};
+    photons::EnergyLedger energy;
+    glm::vec3 cutOffWatts{0.0f};
+    bool valid = true;  ///< false: a store or list was too small; the next frame has more room
+};
+
+/// Errors: a published image of that name does not exist, a limit or memory of the device is exceeded.
+class Renderer {
+ public:
+    explicit Renderer(execute::Executor& executor);
+
+    /// Follows the snapshot: uploads what changed, builds what is new.
+    core::Result<void> update(const scene::SceneSnapshot& snapshot);
+
+    /// Declares one frame. The caller may add nodes (a present, an overlay) before run().
+    [[nodiscard]] DrawnFrame declare(graph::Frame& frame, const FrameRequest& request);
+
+    struct Outcome {
+        execute::FrameStatistics statistics;
+        graph::CompiledGraph graph;
+        FrameReport report;
+        core::Image image;  ///< what `outputNode` named; empty where it was empty
+    };
+    /// Compiles and runs a declared frame and reads its report back; grows the room where it was too small.
+    core::Result<Outcome> run(const graph::Frame& frame, const DrawnFrame& drawn, const std::string& outputNode,
+                              graph::CompileOptions options = {});
+
+    [[nodiscard]] const accel::AccelOnGpu& accel() const { return accel_; }
+    [[nodiscard]] const residency::SceneOnGpu& scene() const { return scene_; }
+    [[nodiscard]] uint64_t deviceBytes() const { return scene_.deviceBytes() + accel_.deviceBytes(); }
+    [[nodiscard]] Capacities& capacities() { return room_; }
+
+ private:
+    void makeRoom(const FrameRequest& request);
+    core::Result<void> grow(const shared::FrameCounters& counters);
+
+    execute::Executor* executor_;
+    residency::SceneOnGpu scene_;
+    accel::AccelOnGpu accel_;
+    std::vector<photons::Emitter> emitters_;
+    photons::PathSplit split_;
+    uint32_t largestBatch_ = 0xffffffffu;
+    Capacities room_;
+};
+
+}  // namespace lampyris::photon_gi

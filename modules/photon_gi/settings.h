@@ -1,0 +1,39 @@
+/// \file What a frame of photon_gi is made with.
+#pragma once
+
+#include <cstdint>
+
+#include "math/glm.h"
+
+namespace lampyris::photon_gi {
+
+enum class Pipeline : uint8_t {
+    Full,    ///< everything the project can do
+    Thesis,  ///< each step as the Thesis does it, mended: the yardstick
+    Direct,  ///< full's shadowed direct light, nothing else
+};
+
+/// Defaults are those of the program's options.
+struct Settings {
+    Pipeline pipeline = Pipeline::Full;
+    uint32_t photonPaths = 1000;     ///< emitted a frame
+    float radiusMetres = 1.0f;       ///< of a photon's influence
+    uint32_t maxBounces = 8;         ///< `thesis`: 1
+    uint32_t gatherDivisor = 2;      ///< low resolution, an axis
+    float lightCutoff = 0.001f;      ///< of the frame's mean direct irradiance
+    uint32_t seed = 1;
+    bool reseed = true;              ///< paths are drawn anew every frame
+    bool shadows = true;             ///< `full` and `direct`
+    uint32_t largestBatch = 0xffffffffu;  ///< paths traced in one go, at most
+};
+
+/// Room for what a frame makes; grows after an overflow.
+struct Capacities {
+    uint32_t photons = 0;  ///< of the largest batch
+    uint32_t pairs = 0;    ///< (tile, photon), of the largest batch
+};
+
+/// The seed of a frame's random numbers.
+[[nodiscard]] uint32_t frameSeed(const Settings& settings, uint64_t frameNumber);
+
+}  // namespace lampyris::photon_gi

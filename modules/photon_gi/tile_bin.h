@@ -1,0 +1,32 @@
+/// \file tile_bin: lists, for every screen tile, the photons whose sphere of influence touches it, in photon order.
+///   in      photons, tile bounds          out   ranges (a tile), indices (flat), counters
+///   shader  photon_gi/tile_bin_*.comp     theory  README [B1]
+///
+/// Each photon visits the tiles under its own outline and writes (tile, photon) pairs, photon by photon; a stable
+/// radix sort by tile then makes the lists. Cost follows the pairs, not tiles times photons.
+#pragma once
+
+#include "deferred/tile_bounds.h"
+#include "photons/photon_trace.h"
+
+namespace lampyris::photon_gi {
+
+struct TileBins {
+    graph::Buffer ranges;    ///< uvec2 a tile: first index, count
+    graph::Buffer indices;   ///< photon numbers
+    graph::Buffer counters;  ///< shared::FrameCounters
+};
+
+struct TileSettings {
+    float radiusMetres = 1.0f;
+    uint32_t pairCapacity = 0;
+};
+
+/// Most pairs that the lists may hold: 128 MiB of indices.
+constexpr uint32_t kMaxPairCapacity = 1u << 25;
+
+[[nodiscard]] TileBins addTileBin(graph::Frame& frame, const photons::PhotonList& photons,
+                                  const deferred::TileBounds& bounds, const shared::View& view,
+                                  const TileSettings& settings);
+
+}  // namespace lampyris::photon_gi

@@ -1,0 +1,14 @@
+/// \file upsample: low-resolution irradiance to full resolution, on irradiance without albedo.
+///   in      surface, gathered irradiance, edge list     out   RGBA16F irradiance, W/m²
+///   shader  photon_gi/upsample.comp                     theory  README [G2]
+#pragma once
+
+#include "photon_gi/gather.h"
+
+namespace lampyris::photon_gi {
+
+[[nodiscard]] graph::Image addUpsample(graph::Frame& frame, const deferred::Surface& surface,
+                                       const Gathered& gathered, const EdgeList& edges,
+                                       const GatherSettings& settings);
+
+}  // namespace lampyris::photon_gi
