@@ -77,7 +77,7 @@ core::Result<Model> parseGltf(std::span<const uint8_t> bytes, const std::string&
 
 core::Result<Model> loadGltf(const std::filesystem::path& path, const GltfLimits& limits) {
     TRY(const std::vector<uint8_t> bytes, core::readFile(path));
-    return parseGltf(bytes, path.filename().string(), path.parent_path(), limits);
+    return parseGltf(bytes, path.string(), path.parent_path(), limits);
 }
 
 }  // namespace lampyris::assets

@@ -111,7 +111,7 @@ void checkAccessor(const Place& place, const std::vector<View>& views) {
 void checkImage(const Place& place, size_t viewCount) {
     if (place.has("uri") == place.has("bufferView"))
         return place.complain("must have one of uri and bufferView");
-    place.text("mimeType", "");
+    (void)place.text("mimeType", "");
     (void)place.index("bufferView", viewCount);
     const std::string uri = place.text("uri", "");
     if (!place.ok() || !place.has("uri")) return;

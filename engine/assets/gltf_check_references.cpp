@@ -45,10 +45,15 @@ void checkAttributes(const Place& place, size_t accessors) {
     for (const auto& [name, value] : place.json().items()) place.index(name.c_str(), accessors);
 }
 
-void checkPrimitive(const Place& place, const TableSizes& sizes) {
+void checkIndices(const Place& place, std::optional<uint32_t> accessor, const Place& root) {
+    if (accessor && !root.element("accessors", *accessor).has("bufferView"))
+        place.complain("its indices, accessor {}, have no bufferView", *accessor);
+}
+
+void checkPrimitive(const Place& place, const TableSizes& sizes, const Place& root) {
     if (!place.has("attributes")) place.complain("attributes is missing");
     checkAttributes(place.object("attributes"), sizes.accessors);
-    place.index("indices", sizes.accessors);
+    checkIndices(place, place.index("indices", sizes.accessors), root);
     place.index("material", sizes.materials);
     const uint64_t mode = place.whole("mode", 4);
     if (mode > kLastPrimitiveMode) place.complain("has the unknown mode {}", mode);
@@ -118,7 +123,8 @@ void checkReferences(const Place& root, const TableSizes& sizes) {
     });
     root.each("materials", [&](const Place& place) { checkMaterial(place, sizes); });
     root.each("meshes", [&](const Place& place) {
-        place.each("primitives", [&](const Place& primitive) { checkPrimitive(primitive, sizes); });
+        place.each("primitives",
+                   [&](const Place& primitive) { checkPrimitive(primitive, sizes, root); });
         place.numbers("weights", 0);
     });
     root.each("animations", [&](const Place& place) { checkAnimation(place, sizes); });

@@ -64,7 +64,7 @@ class MaterialReader {
         TRY_VOID(readTexture(from.emissiveTexture, to.emissiveTexture));
         TRY_VOID(readTexture(from.normalTexture, to.normalTexture));
         to.normalScale = static_cast<float>(from.normalTexture.scale);
-        if (to.normalTexture.present()) needs.tangentSet = to.normalTexture.texcoordSet;
+        if (to.normalTexture.present()) needs.tangentSlot = to.normalTexture.texcoordSet;
         return to;
     }
 
@@ -126,22 +126,25 @@ class MaterialReader {
         return {};
     }
 
+    /// Takes a slot for the set and transform; two differing ones fit, which is as many as a mesh
+    /// has.
     void chooseTexcoords(int set, const tinygltf::Value& transform, TextureUse& use) {
-        const double chosen = numberIn(transform, "texCoord", set);
-        if (chosen > 1.0) source_.context.warn(place_, "reads TEXCOORD_{}; 0 stands in", chosen);
-        use.texcoordSet = chosen == 1.0 ? 1 : 0;
         const TextureTransform wanted{vectorIn<2>(transform, "offset", glm::vec2(0.0f)),
                                       vectorIn<2>(transform, "scale", glm::vec2(1.0f)),
                                       static_cast<float>(numberIn(transform, "rotation", 0.0))};
-        TextureTransform& known = needs_->transforms[use.texcoordSet];
-        if (needs_->uses[use.texcoordSet] && !(known == wanted)) {
-            source_.context.warn(place_,
-                                 "its textures differ in KHR_texture_transform; "
-                                 "the first one's serves all");
+        const auto fileSet = static_cast<uint32_t>(numberIn(transform, "texCoord", set));
+        const uint32_t likely = fileSet == 1 ? 1 : 0;
+        for (const uint32_t slot : {likely, 1 - likely}) {
+            TexcoordSlot& known = needs_->slots[slot];
+            if (known.used && (known.fileSet != fileSet || !(known.transform == wanted))) continue;
+            known = {fileSet, wanted, true};
+            use.texcoordSet = slot;
             return;
         }
-        known = wanted;
-        needs_->uses[use.texcoordSet] = true;
+        use.texcoordSet = likely;
+        source_.context.warn(place_,
+                             "its textures read more than two sets or transforms of "
+                             "texture coordinates; one of those serves the rest");
     }
 
     GltfSource& source_;
@@ -178,7 +181,7 @@ core::Result<std::vector<MaterialNeeds>> readMaterials(GltfSource& source, Model
         model.materials.push_back(std::move(material));
     }
     if (someNameNone(source.document)) {
-        model.materials.push_back({.name = "default"});
+        model.materials.emplace_back().name = "default";
         needs.emplace_back();
     }
     return needs;

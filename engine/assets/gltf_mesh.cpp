@@ -10,22 +10,7 @@ namespace {
 
 constexpr float kWeightSumTolerance = 0.01f;  // [chosen] above what 8-bit weights round to
 
-void repairTriangles(Mesh& mesh, GltfContext& context, const std::string& place) {
-    const DroppedTriangles dropped = dropBrokenTriangles(mesh);
-    if (dropped.nonFinite > 0)
-        context.warn(place, "mesh {}: {} triangles at NaN or infinity are left out", mesh.name,
-                     dropped.nonFinite);
-    if (dropped.zeroArea > 0)
-        context.warn(place, "mesh {}: {} triangles without area are left out", mesh.name,
-                     dropped.zeroArea);
-    dropUnusedVertices(mesh);
-    const uint32_t zeroed = zeroNonFinite(mesh);
-    if (zeroed > 0)
-        context.warn(place, "mesh {}: {} vertices have attributes that are not finite, now 0",
-                     mesh.name, zeroed);
-}
-
-/// Bytes of the vertex attributes for one vertex.
+/// Bytes of the attributes of one vertex, tangents left out.
 uint64_t vertexBytes(const Mesh& mesh) {
     uint64_t bytes = sizeof(glm::vec3) * (2 + 2 * mesh.morphTargets.size());
     bytes += mesh.texcoords0.empty() ? 0 : sizeof(glm::vec2);
@@ -35,97 +20,136 @@ uint64_t vertexBytes(const Mesh& mesh) {
     return bytes;
 }
 
-core::Result<void> completeNormals(Mesh& mesh, GltfContext& context, const std::string& place) {
-    if (!mesh.normals.empty()) {
-        const uint32_t broken = normalizeNormals(mesh);
-        if (broken > 0)
-            context.warn(place, "mesh {}: {} normals have no direction; their face's stands in",
-                         mesh.name, broken);
+/// Brings one primitive after the other from what stands in the file to what Mesh promises.
+class MeshReader {
+ public:
+    explicit MeshReader(GltfSource& source) : source_(source), context_(source.context) {}
+
+    /// Nothing where no triangle is left.
+    core::Result<std::optional<Mesh>> read(const tinygltf::Mesh& owner, size_t primitive,
+                                           const MaterialNeeds& needs, const std::string& place) {
+        place_ = place;
+        TRY(std::optional<Mesh> read,
+            readPrimitive(source_, owner.primitives[primitive], needs, place));
+        if (!read) return std::optional<Mesh>{};
+        Mesh& mesh = *read;
+        mesh.name =
+            owner.primitives.size() == 1 ? owner.name : fmt::format("{} {}", owner.name, primitive);
+        repairTriangles(mesh);
+        if (mesh.indices.empty()) return std::optional<Mesh>{};
+        TRY_VOID(completeNormals(mesh));
+        normalizeWeights(mesh);
+        completeTexcoords(mesh, needs);
+        zeroAttributes(mesh);
+        TRY_VOID(completeTangents(mesh, needs));
+        completeMorphWeights(mesh, owner.weights);
+        updateBounds(mesh);
+        return read;
+    }
+
+    /// One line for all: exporters' spheres have such triangles at their poles.
+    void warnOfZeroArea() {
+        if (zeroAreaTriangles_ > 0)
+            context_.warn("", "{} triangles without area in {} meshes are left out",
+                          zeroAreaTriangles_, zeroAreaMeshes_);
+    }
+
+ private:
+    void repairTriangles(Mesh& mesh) {
+        const DroppedTriangles dropped = dropBrokenTriangles(mesh);
+        if (dropped.nonFinite > 0)
+            context_.warn(place_, "mesh {}: {} triangles at NaN or infinity are left out",
+                          mesh.name, dropped.nonFinite);
+        zeroAreaTriangles_ += dropped.zeroArea;
+        zeroAreaMeshes_ += dropped.zeroArea > 0 ? 1 : 0;
+        dropUnusedVertices(mesh);
+    }
+
+    core::Result<void> completeNormals(Mesh& mesh) {
+        if (!mesh.normals.empty()) {
+            const uint32_t broken = normalizeNormals(mesh);
+            if (broken > 0)
+                context_.warn(place_, "mesh {}: {} normals have no direction; a face's stands in",
+                              mesh.name, broken);
+            return {};
+        }
+        TRY_VOID(context_.takeBytes(place_, mesh.indices.size() * vertexBytes(mesh)));
+        mesh.tangents.clear();  // glTF 2.0, 3.7.2.1: without normals, tangents are void
+        for (MorphTarget& target : mesh.morphTargets) target.normals.clear();
+        makeFlatNormals(mesh);
         return {};
     }
-    TRY_VOID(context.takeBytes(place, mesh.indices.size() * vertexBytes(mesh)));
-    mesh.tangents
-        .clear();  // glTF 2.0, 3.7.2.1: without normals, tangents and their targets are void
-    for (MorphTarget& target : mesh.morphTargets) target.normals.clear();
-    makeFlatNormals(mesh);
-    return {};
-}
 
-/// Four weights that sum to 1, and joint 0 where the weight is 0.
-void normalizeWeights(Mesh& mesh, GltfContext& context, const std::string& place) {
-    uint32_t off = 0;
-    for (size_t i = 0; i < mesh.weights.size(); ++i) {
-        glm::vec4& weights = mesh.weights[i];
-        weights = glm::max(weights, glm::vec4(0.0f));
-        const float sum = weights.x + weights.y + weights.z + weights.w;
-        if (!(std::abs(sum - 1.0f) <= kWeightSumTolerance)) ++off;
-        weights = sum > 0.0f && std::isfinite(sum) ? weights / sum : glm::vec4(1, 0, 0, 0);
-        for (int c = 0; c < 4; ++c)
-            if (weights[c] <= 0.0f) mesh.joints[i][c] = 0;
+    /// Four weights that sum to 1, and joint 0 where the weight is 0.
+    void normalizeWeights(Mesh& mesh) {
+        uint32_t off = 0;
+        for (size_t i = 0; i < mesh.weights.size(); ++i) {
+            const glm::vec4 weights = glm::max(mesh.weights[i], glm::vec4(0.0f));
+            const float sum = weights.x + weights.y + weights.z + weights.w;
+            const bool usable = sum > 0.0f && std::isfinite(sum);
+            if (!usable || std::abs(sum - 1.0f) > kWeightSumTolerance) ++off;
+            mesh.weights[i] = usable ? weights / sum : glm::vec4(1.0f, 0.0f, 0.0f, 0.0f);
+            for (int c = usable ? 0 : 1; c < 4; ++c)
+                if (mesh.weights[i][c] <= 0.0f) mesh.joints[i][c] = 0;
+        }
+        if (off > 0)
+            context_.warn(place_,
+                          "mesh {}: the joint weights of {} vertices do not sum to 1; made to",
+                          mesh.name, off);
     }
-    if (off > 0)
-        context.warn(place, "mesh {}: the joint weights of {} vertices do not sum to 1; made to",
-                     mesh.name, off);
-}
 
-void completeTexcoords(Mesh& mesh, const MaterialNeeds& needs, GltfContext& context,
-                       const std::string& place) {
-    std::vector<glm::vec2>* sets[2] = {&mesh.texcoords0, &mesh.texcoords1};
-    for (int set = 0; set < 2; ++set) {
-        if (needs.uses[set] && sets[set]->empty())
-            context.warn(place, "mesh {} has no TEXCOORD_{}, which its material reads; 0 stands in",
-                         mesh.name, set);
-        for (glm::vec2& uv : *sets[set]) uv = needs.transforms[set].apply(uv);
+    void completeTexcoords(Mesh& mesh, const MaterialNeeds& needs) {
+        std::vector<glm::vec2>* sets[2] = {&mesh.texcoords0, &mesh.texcoords1};
+        for (int i = 0; i < 2; ++i) {
+            const TexcoordSlot& slot = needs.slots[i];
+            if (slot.used && sets[i]->empty())
+                context_.warn(place_,
+                              "mesh {} has no TEXCOORD_{}, which its material reads; 0 stands in",
+                              mesh.name, slot.fileSet);
+            for (glm::vec2& uv : *sets[i]) uv = slot.transform.apply(uv);
+        }
     }
-}
 
-core::Result<void> completeTangents(Mesh& mesh, const MaterialNeeds& needs, GltfContext& context,
-                                    const std::string& place) {
-    if (!mesh.tangents.empty()) {
-        normalizeTangents(mesh);
+    void zeroAttributes(Mesh& mesh) {
+        const uint32_t zeroed = zeroNonFinite(mesh);
+        if (zeroed > 0)
+            context_.warn(place_, "mesh {}: {} vertices have attributes that are not finite, now 0",
+                          mesh.name, zeroed);
+    }
+
+    core::Result<void> completeTangents(Mesh& mesh, const MaterialNeeds& needs) {
+        if (!mesh.tangents.empty()) {
+            normalizeTangents(mesh);
+            return {};
+        }
+        if (!needs.tangentSlot) return {};
+        const auto& texcoords = *needs.tangentSlot == 0 ? mesh.texcoords0 : mesh.texcoords1;
+        if (texcoords.empty()) return {};
+        TRY_VOID(context_.takeBytes(place_, mesh.positions.size() * sizeof(glm::vec4) * 3));
+        generateTangents(mesh, *needs.tangentSlot);
         return {};
     }
-    if (!needs.tangentSet) return {};
-    const auto& texcoords = *needs.tangentSet == 0 ? mesh.texcoords0 : mesh.texcoords1;
-    if (texcoords.empty()) return {};
-    TRY_VOID(context.takeBytes(place, mesh.positions.size() * sizeof(glm::vec4) * 3));
-    generateTangents(mesh, *needs.tangentSet);
-    return {};
-}
 
-void completeMorphWeights(Mesh& mesh, const std::vector<double>& weights, GltfContext& context,
-                          const std::string& place) {
-    if (!weights.empty() && weights.size() != mesh.morphTargets.size())
-        context.warn(place, "mesh {} has {} weights for {} morph targets", mesh.name,
-                     weights.size(), mesh.morphTargets.size());
-    mesh.morphWeights.assign(weights.begin(), weights.end());
-    mesh.morphWeights.resize(mesh.morphTargets.size(), 0.0f);
-}
+    void completeMorphWeights(Mesh& mesh, const std::vector<double>& weights) {
+        if (!weights.empty() && weights.size() != mesh.morphTargets.size())
+            context_.warn(place_, "mesh {} has {} weights for {} morph targets", mesh.name,
+                          weights.size(), mesh.morphTargets.size());
+        mesh.morphWeights.assign(weights.begin(), weights.end());
+        mesh.morphWeights.resize(mesh.morphTargets.size(), 0.0f);
+    }
 
-/// From what stands in the file to what Mesh promises. Nothing where no triangle is left.
-core::Result<std::optional<Mesh>> readMesh(GltfSource& source, const tinygltf::Mesh& owner,
-                                           size_t primitive, const MaterialNeeds& needs,
-                                           const std::string& place) {
-    TRY(std::optional<Mesh> read, readPrimitive(source, owner.primitives[primitive], place));
-    if (!read) return std::optional<Mesh>{};
-    Mesh& mesh = *read;
-    mesh.name =
-        owner.primitives.size() == 1 ? owner.name : fmt::format("{} {}", owner.name, primitive);
-    repairTriangles(mesh, source.context, place);
-    if (mesh.indices.empty()) return std::optional<Mesh>{};
-    TRY_VOID(completeNormals(mesh, source.context, place));
-    normalizeWeights(mesh, source.context, place);
-    completeTexcoords(mesh, needs, source.context, place);
-    TRY_VOID(completeTangents(mesh, needs, source.context, place));
-    completeMorphWeights(mesh, owner.weights, source.context, place);
-    updateBounds(mesh);
-    return read;
-}
+    GltfSource& source_;
+    GltfContext& context_;
+    std::string place_;
+    uint64_t zeroAreaTriangles_ = 0;
+    uint32_t zeroAreaMeshes_ = 0;
+};
 
 }  // namespace
 
 core::Result<std::vector<std::vector<ModelPrimitive>>> readMeshes(
     GltfSource& source, const std::vector<MaterialNeeds>& needs, Model& model) {
+    MeshReader reader(source);
     std::vector<std::vector<ModelPrimitive>> primitives;
     for (const tinygltf::Mesh& owner : source.document.meshes) {
         std::vector<ModelPrimitive>& drawn = primitives.emplace_back();
@@ -135,12 +159,13 @@ core::Result<std::vector<std::vector<ModelPrimitive>>> readMeshes(
             const int named = owner.primitives[i].material;
             const auto material =
                 named >= 0 ? static_cast<uint32_t>(named) : static_cast<uint32_t>(needs.size() - 1);
-            TRY(std::optional<Mesh> mesh, readMesh(source, owner, i, needs[material], place));
+            TRY(std::optional<Mesh> mesh, reader.read(owner, i, needs[material], place));
             if (!mesh) continue;
             drawn.push_back({static_cast<uint32_t>(model.meshes.size()), material});
             model.meshes.push_back(std::move(*mesh));
         }
     }
+    reader.warnOfZeroArea();
     if (model.meshes.empty()) return source.context.error("", "has no mesh that can be drawn");
     return primitives;
 }

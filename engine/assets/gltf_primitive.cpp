@@ -20,7 +20,8 @@ struct VertexReader {
     ElementRange range;
 
     /// The attribute's accessor, −1 where it is absent. Error: not as long as the positions.
-    [[nodiscard]] core::Result<int> find(const Attributes& attributes, const char* name) const {
+    [[nodiscard]] core::Result<int> find(const Attributes& attributes,
+                                         const std::string& name) const {
         const auto found = attributes.find(name);
         if (found == attributes.end()) return -1;
         const size_t count = allOf(source, found->second).count;
@@ -33,7 +34,7 @@ struct VertexReader {
     /// The attribute's values, none where it is absent.
     template <typename Vector>
     [[nodiscard]] core::Result<std::vector<Vector>> read(const Attributes& attributes,
-                                                         const char* name) const {
+                                                         const std::string& name) const {
         TRY(const int accessor, find(attributes, name));
         if (accessor < 0) return std::vector<Vector>{};
         return readVectors<Vector>(source, accessor, range);
@@ -120,10 +121,15 @@ core::Result<void> readTargets(const VertexReader& reader, const tinygltf::Primi
     return {};
 }
 
+std::string texcoordName(const TexcoordSlot& slot) {
+    return fmt::format("TEXCOORD_{}", slot.fileSet);
+}
+
 }  // namespace
 
 core::Result<std::optional<Mesh>> readPrimitive(GltfSource& source,
                                                 const tinygltf::Primitive& primitive,
+                                                const MaterialNeeds& needs,
                                                 const std::string& place) {
     const Attributes& attributes = primitive.attributes;
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
@@ -146,8 +152,8 @@ core::Result<std::optional<Mesh>> readPrimitive(GltfSource& source,
     TRY(mesh.positions, reader.read<glm::vec3>(attributes, "POSITION"));
     TRY(mesh.normals, reader.read<glm::vec3>(attributes, "NORMAL"));
     TRY(mesh.tangents, reader.read<glm::vec4>(attributes, "TANGENT"));
-    TRY(mesh.texcoords0, reader.read<glm::vec2>(attributes, "TEXCOORD_0"));
-    TRY(mesh.texcoords1, reader.read<glm::vec2>(attributes, "TEXCOORD_1"));
+    TRY(mesh.texcoords0, reader.read<glm::vec2>(attributes, texcoordName(needs.slots[0])));
+    TRY(mesh.texcoords1, reader.read<glm::vec2>(attributes, texcoordName(needs.slots[1])));
     TRY_VOID(readColours(reader, attributes, mesh));
     TRY_VOID(readJoints(reader, attributes, mesh));
     TRY_VOID(readTargets(reader, primitive, mesh));

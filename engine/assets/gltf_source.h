@@ -38,11 +38,17 @@ struct TextureTransform {
     [[nodiscard]] glm::vec2 apply(glm::vec2 uv) const;
 };
 
-/// What a material asks of the meshes that wear it.
+/// A texture coordinate set as a material reads it: one of the file's, transformed.
+struct TexcoordSlot {
+    uint32_t fileSet = 0;
+    TextureTransform transform;
+    bool used = false;
+};
+
+/// What a material asks of the meshes that wear it: their texcoords0 and texcoords1.
 struct MaterialNeeds {
-    TextureTransform transforms[2];      ///< a texture coordinate set
-    bool uses[2] = {false, false};       ///< whether a texture reads the set
-    std::optional<uint32_t> tangentSet;  ///< the set of the normal map, if there is one
+    TexcoordSlot slots[2] = {{0, {}, false}, {1, {}, false}};
+    std::optional<uint32_t> tangentSlot;  ///< that of the normal map, if there is one
 };
 
 /// Fills Model::materials and Model::images; gives the needs of every material.

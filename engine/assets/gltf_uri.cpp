@@ -77,14 +77,14 @@ core::Result<std::vector<uint8_t>> decodeBase64(std::string_view text) {
 core::Result<GltfUri> parseUri(const std::string& uri) {
     if (uri.starts_with(kDataScheme)) return GltfUri{true, {}};
     if (uri.empty()) return core::error("is empty");
-    if (hasScheme(uri)) return core::error("{} is no relative path", uri.substr(0, 80));
+    if (hasScheme(uri)) return core::error("\"{}\" is no relative path", uri.substr(0, 80));
     TRY(const std::string decoded, decodePercent(uri));
     if (decoded.find('\0') != std::string::npos || decoded.find('\\') != std::string::npos)
-        return core::error("{} is no file name", uri.substr(0, 80));
+        return core::error("\"{}\" is no file name", uri.substr(0, 80));
     const std::filesystem::path path(decoded);
-    if (path.is_absolute()) return core::error("{} is no relative path", decoded);
+    if (path.is_absolute()) return core::error("\"{}\" is no relative path", decoded);
     if (std::find(path.begin(), path.end(), "..") != path.end())
-        return core::error("{} leaves the file's folder", decoded);
+        return core::error("\"{}\" leaves the file's folder", decoded);
     return GltfUri{false, path};
 }
 

@@ -1,5 +1,7 @@
 #include "assets/triangulate.h"
 
+#include <cstddef>
+
 namespace lampyris::assets {
 
 std::vector<uint32_t> triangulate(std::vector<uint32_t> indices, Topology topology) {
