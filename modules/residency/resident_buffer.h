@@ -1,0 +1,77 @@
+/// \file A device buffer that outlives frames, grows, and keeps what it holds.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "gpu/buffer.h"
+#include "gpu/staging.h"
+#include "graph/frame.h"
+
+namespace lampyris::residency {
+
+/// The name by which modules that do not see gpu/ pass a device on.
+using Device = gpu::Device;
+
+class ResidentBuffer {
+ public:
+    /// \param texelBytes of the texel view that shaders use, or 0: reserve() then keeps within the
+    /// device's maxTexelBufferElements. \param device must outlive this.
+    ResidentBuffer(Device& device, std::string name, uint32_t texelBytes = 0);
+
+    /// Makes room. Waits for the device and copies where the buffer has to grow. Errors name the
+    /// limit.
+    core::Result<void> reserve(uint64_t bytes);
+    /// Keeps bytes for the `upload…` node of the next import(). They must lie within what was
+    /// reserved.
+    core::Result<void> stage(uint64_t offset, std::span<const std::byte> bytes);
+    /// Declares the buffer, and where bytes were staged a node named `node` that brings them over.
+    [[nodiscard]] graph::Buffer import(graph::Frame& frame, const std::string& node);
+
+    [[nodiscard]] uint64_t bytes() const { return buffer_.bytes(); }
+
+ private:
+    friend class Loading;
+    // Host buffers take turns, so that the device may still read the last ones: as many as frames
+    // can be in flight, and one more. [chosen]
+    static constexpr size_t kTurns = 3;
+
+    struct Piece {
+        uint64_t source;
+        uint64_t target;
+        uint64_t bytes;
+    };
+    core::Result<void> roomInTurn(uint64_t bytes);
+
+    Device* device_;
+    std::string name_;
+    uint64_t mostBytes_;
+    std::string limit_;  ///< the name of what mostBytes_ comes from
+    gpu::Buffer buffer_;
+    std::array<gpu::Buffer, kTurns> turns_;
+    size_t turn_ = 0;
+    std::vector<Piece> pieces_;
+    uint64_t staged_ = 0;
+};
+
+/// Writes to resident buffers outside of frames. For what is new: it waits for the device.
+class Loading {
+ public:
+    /// Waits until no frame reads what may be overwritten.
+    static core::Result<Loading> begin(Device& device);
+    core::Result<void> write(const ResidentBuffer& target, uint64_t offset,
+                             std::span<const std::byte> bytes);
+    /// Waits until all has arrived.
+    core::Result<void> finish() { return staging_.flush(); }
+
+ private:
+    explicit Loading(gpu::Staging staging) : staging_(std::move(staging)) {}
+    gpu::Staging staging_;
+};
+
+}  // namespace lampyris::residency
