@@ -34,7 +34,7 @@ struct CompileOptions {
     uint64_t randomOrderSeed = 0;         ///< 0: ties by declaration; else a random legal order
     bool poisonTransients = false;  ///< fill each transient with kPoisonWord before its first write
     bool alias = true;              ///< false: no two transients share memory
-    std::vector<Image> extraOutputs;  ///< beside Frame::output(): say, a published image
+    std::vector<Image> extraOutputs{};  ///< beside Frame::output(): say, a published image
 };
 
 /// Errors name the node and the resource: a read before any write, a stale handle, a write that

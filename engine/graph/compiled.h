@@ -43,18 +43,18 @@ struct Handover {
 struct MemoryBarrier {
     TouchSet source{};
     TouchSet destination{};
-    std::vector<Handover> handovers;  ///< empty: there is nothing to do
+    std::vector<Handover> handovers{};  ///< empty: there is nothing to do
 };
 
 /// Runs one node, or (debug mode) fills transients with kPoisonWord as a transfer.
 struct Step {
     uint32_t node = kNoNode;        ///< index in Frame::nodes()
-    std::vector<uint32_t> poisons;  ///< resources to fill; only where `node` is kNoNode
+    std::vector<uint32_t> poisons{};  ///< resources to fill; only where `node` is kNoNode
     MemoryBarrier handover;
-    std::vector<Barrier> barriers;
+    std::vector<Barrier> barriers{};
     /// Transfer nodes: indices of the copies that need a transfer → transfer memory barrier before
     /// them, because they touch what an earlier copy of the same node wrote, or write what it read.
-    std::vector<uint32_t> copyBarriers;
+    std::vector<uint32_t> copyBarriers{};
 };
 
 constexpr uint32_t kPoisonWord = 0x7fc0deadu;  ///< a NaN as a float, out of any range as an index
