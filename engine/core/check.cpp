@@ -7,7 +7,8 @@ namespace lampyris::core {
 
 void checkFailed(const char* file, int line, const char* expression, const std::string& operands) {
     std::fflush(stdout);
-    fmt::print(stderr, "lampyris: CHECK({}) failed at {}:{}: {}\n", expression, file, line, operands);
+    fmt::print(stderr, "lampyris: CHECK({}) failed at {}:{}: {}\n", expression, file, line,
+               operands);
     std::abort();
 }
 

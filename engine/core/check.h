@@ -41,37 +41,52 @@ struct Left {
 
     template <typename R>
     Outcome outcome(bool passed, const char* op, const R& right) const {
-        return {passed, passed ? std::string{}
-                               : fmt::format("{} {} {}", operandText(left), op, operandText(right))};
+        return {passed, passed
+                            ? std::string{}
+                            : fmt::format("{} {} {}", operandText(left), op, operandText(right))};
     }
     template <typename R>
-    Outcome operator==(const R& r) const { return outcome(left == r, "==", r); }
+    Outcome operator==(const R& r) const {
+        return outcome(left == r, "==", r);
+    }
     template <typename R>
-    Outcome operator!=(const R& r) const { return outcome(left != r, "!=", r); }
+    Outcome operator!=(const R& r) const {
+        return outcome(left != r, "!=", r);
+    }
     template <typename R>
-    Outcome operator<(const R& r) const { return outcome(left < r, "<", r); }
+    Outcome operator<(const R& r) const {
+        return outcome(left < r, "<", r);
+    }
     template <typename R>
-    Outcome operator<=(const R& r) const { return outcome(left <= r, "<=", r); }
+    Outcome operator<=(const R& r) const {
+        return outcome(left <= r, "<=", r);
+    }
     template <typename R>
-    Outcome operator>(const R& r) const { return outcome(left > r, ">", r); }
+    Outcome operator>(const R& r) const {
+        return outcome(left > r, ">", r);
+    }
     template <typename R>
-    Outcome operator>=(const R& r) const { return outcome(left >= r, ">=", r); }
+    Outcome operator>=(const R& r) const {
+        return outcome(left >= r, ">=", r);
+    }
     operator Outcome() const { return {static_cast<bool>(left), operandText(left)}; }
 };
 
 struct Decompose {
     template <typename L>
-    Left<L> operator->*(const L& left) const { return {left}; }
+    Left<L> operator->*(const L& left) const {
+        return {left};
+    }
 };
 
 }  // namespace detail
 }  // namespace lampyris::core
 
-#define CHECK(...)                                                                          \
-    do {                                                                                    \
-        const ::lampyris::core::detail::Outcome checkOutcome =                              \
-            ::lampyris::core::detail::Decompose{}->*__VA_ARGS__;                            \
-        if (!checkOutcome.passed)                                                           \
-            ::lampyris::core::checkFailed(__FILE__, __LINE__, #__VA_ARGS__,                 \
-                                          checkOutcome.operands);                           \
+#define CHECK(...)                                                          \
+    do {                                                                    \
+        const ::lampyris::core::detail::Outcome checkOutcome =              \
+            ::lampyris::core::detail::Decompose{}->*__VA_ARGS__;            \
+        if (!checkOutcome.passed)                                           \
+            ::lampyris::core::checkFailed(__FILE__, __LINE__, #__VA_ARGS__, \
+                                          checkOutcome.operands);           \
     } while (false)

@@ -8,7 +8,8 @@
 namespace lampyris::core {
 namespace {
 
-// Narkowicz's rational fit to the ACES filmic curve [chosen: one line, close to the reference curve].
+// Narkowicz's rational fit to the ACES filmic curve [chosen: one line, close to the reference
+// curve].
 float filmic(float x) {
     return std::clamp((x * (2.51f * x + 0.03f)) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
 }
@@ -32,10 +33,13 @@ DisplayImage toDisplay(const Image& image, const DisplayTransform& transform) {
     const float gain = std::exp2(transform.exposureEv);
     for (size_t p = 0; p < pixels; ++p) {
         for (size_t c = 0; c < 3; ++c) {
-            const float exposed = gain * image.values[p * image.channels + (image.channels == 1 ? 0 : c)];
+            const float exposed =
+                gain * image.values[p * image.channels + (image.channels == 1 ? 0 : c)];
             const float safe = std::isnan(exposed) ? 0.0f : std::max(exposed, 0.0f);
-            const float mapped = transform.tonemap == Tonemap::Filmic ? filmic(safe) : std::min(safe, 1.0f);
-            display.values[p * 3 + c] = static_cast<uint8_t>(std::lround(255.0f * encodeSrgb(mapped)));
+            const float mapped =
+                transform.tonemap == Tonemap::Filmic ? filmic(safe) : std::min(safe, 1.0f);
+            display.values[p * 3 + c] =
+                static_cast<uint8_t>(std::lround(255.0f * encodeSrgb(mapped)));
         }
     }
     return display;

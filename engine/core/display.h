@@ -17,7 +17,8 @@ struct DisplayTransform {
 /// Its inverse.
 [[nodiscard]] float decodeSrgb(float encoded);
 
-/// Display values of an image of 1, 3 or 4 channels (1 is shown grey, the fourth is dropped). NaN shows as 0.
+/// Display values of an image of 1, 3 or 4 channels (1 is shown grey, the fourth is dropped). NaN
+/// shows as 0.
 [[nodiscard]] DisplayImage toDisplay(const Image& image, const DisplayTransform& transform);
 
 }  // namespace lampyris::core

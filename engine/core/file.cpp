@@ -19,7 +19,8 @@ using File = std::unique_ptr<std::FILE, Closer>;
 
 Result<std::vector<uint8_t>> readFile(const std::filesystem::path& path) {
     std::error_code code;
-    if (std::filesystem::is_directory(path, code)) return error("{}: is a folder, not a file", path.string());
+    if (std::filesystem::is_directory(path, code))
+        return error("{}: is a folder, not a file", path.string());
     const File file{std::fopen(path.c_str(), "rb")};
     if (!file) return error("{}: {}", path.string(), std::strerror(errno));
     std::vector<uint8_t> bytes;

@@ -1,4 +1,5 @@
-/// \file Whole files in and out. A file is written beside its name and then renamed: never half-written.
+/// \file Whole files in and out. A file is written beside its name and then renamed: never
+/// half-written.
 #pragma once
 
 #include <cstdint>

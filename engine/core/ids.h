@@ -21,5 +21,7 @@ struct Id {
 
 template <typename Tag>
 struct std::hash<lampyris::core::Id<Tag>> {
-    size_t operator()(lampyris::core::Id<Tag> id) const noexcept { return std::hash<uint32_t>{}(id.value); }
+    size_t operator()(lampyris::core::Id<Tag> id) const noexcept {
+        return std::hash<uint32_t>{}(id.value);
+    }
 };

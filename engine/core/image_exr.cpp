@@ -13,7 +13,8 @@ namespace lampyris::core {
 namespace {
 
 Error exrError(const std::filesystem::path& path, const char* message) {
-    Error failure = error("{}: EXR: {}", path.string(), message != nullptr ? message : "unreadable");
+    Error failure =
+        error("{}: EXR: {}", path.string(), message != nullptr ? message : "unreadable");
     if (message != nullptr) FreeEXRErrorMessage(message);
     return failure;
 }
@@ -28,7 +29,8 @@ Result<void> writeExr(const std::filesystem::path& path, const Image& image) {
     for (size_t c = 0; c < 3; ++c) {
         planes[c].resize(pixels);
         const size_t source = image.channels == 1 ? 0 : 2 - c;
-        for (size_t p = 0; p < pixels; ++p) planes[c][p] = image.values[p * image.channels + source];
+        for (size_t p = 0; p < pixels; ++p)
+            planes[c][p] = image.values[p * image.channels + source];
     }
     std::array<unsigned char*, 3> pointers{};
     for (size_t c = 0; c < 3; ++c) pointers[c] = reinterpret_cast<unsigned char*>(planes[c].data());
@@ -37,7 +39,8 @@ Result<void> writeExr(const std::filesystem::path& path, const Image& image) {
     channels[0].name[0] = 'B';
     channels[1].name[0] = 'G';
     channels[2].name[0] = 'R';
-    std::array<int, 3> types{TINYEXR_PIXELTYPE_FLOAT, TINYEXR_PIXELTYPE_FLOAT, TINYEXR_PIXELTYPE_FLOAT};
+    std::array<int, 3> types{TINYEXR_PIXELTYPE_FLOAT, TINYEXR_PIXELTYPE_FLOAT,
+                             TINYEXR_PIXELTYPE_FLOAT};
 
     EXRHeader header;
     InitEXRHeader(&header);
@@ -67,7 +70,8 @@ Result<Image> readExr(const std::filesystem::path& path) {
     int width = 0;
     int height = 0;
     const char* message = nullptr;
-    if (LoadEXRFromMemory(&rgba, &width, &height, bytes.data(), bytes.size(), &message) != TINYEXR_SUCCESS)
+    if (LoadEXRFromMemory(&rgba, &width, &height, bytes.data(), bytes.size(), &message) !=
+        TINYEXR_SUCCESS)
         return exrError(path, message);
     const std::unique_ptr<float, decltype(&std::free)> owned{rgba, &std::free};
     Image image(static_cast<uint32_t>(width), static_cast<uint32_t>(height), 3);

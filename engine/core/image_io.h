@@ -9,7 +9,8 @@
 
 namespace lampyris::core {
 
-/// Linear EXR; one channel is written to all of R, G and B, a fourth is dropped. Never half-written.
+/// Linear EXR; one channel is written to all of R, G and B, a fourth is dropped. Never
+/// half-written.
 Result<void> writeExr(const std::filesystem::path& path, const Image& image);
 /// R, G and B of an EXR file as a linear image of three channels.
 Result<Image> readExr(const std::filesystem::path& path);

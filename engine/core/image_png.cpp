@@ -16,8 +16,8 @@ Result<void> writePng(const std::filesystem::path& path, const DisplayImage& ima
         out.insert(out.end(), first, first + size);
     };
     const int width = static_cast<int>(image.width);
-    if (stbi_write_png_to_func(append, &bytes, width, static_cast<int>(image.height), 3, image.values.data(),
-                               width * 3) == 0)
+    if (stbi_write_png_to_func(append, &bytes, width, static_cast<int>(image.height), 3,
+                               image.values.data(), width * 3) == 0)
         return error("{}: PNG: cannot encode {}x{}", path.string(), image.width, image.height);
     return writeFile(path, bytes);
 }
@@ -28,7 +28,8 @@ Result<DisplayImage> readPng(const std::filesystem::path& path) {
     int height = 0;
     int channels = 0;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels{
-        stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height, &channels, 3),
+        stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height,
+                              &channels, 3),
         &stbi_image_free};
     if (!pixels) return error("{}: PNG: {}", path.string(), stbi_failure_reason());
     DisplayImage image{static_cast<uint32_t>(width), static_cast<uint32_t>(height), {}};

@@ -10,19 +10,26 @@ namespace {
 
 spdlog::level::level_enum spdlogLevel(LogLevel level) {
     switch (level) {
-        case LogLevel::Debug: return spdlog::level::debug;
-        case LogLevel::Info: return spdlog::level::info;
-        case LogLevel::Warning: return spdlog::level::warn;
-        case LogLevel::Error: return spdlog::level::err;
+        case LogLevel::Debug:
+            return spdlog::level::debug;
+        case LogLevel::Info:
+            return spdlog::level::info;
+        case LogLevel::Warning:
+            return spdlog::level::warn;
+        case LogLevel::Error:
+            return spdlog::level::err;
     }
     return spdlog::level::info;
 }
 
 const char* prefix(LogLevel level) {
     switch (level) {
-        case LogLevel::Warning: return "warning: ";
-        case LogLevel::Error: return "error: ";
-        default: return "";
+        case LogLevel::Warning:
+            return "warning: ";
+        case LogLevel::Error:
+            return "error: ";
+        default:
+            return "";
     }
 }
 
@@ -40,7 +47,9 @@ spdlog::logger& logger() {
 
 }  // namespace
 
-void setLogLevel(LogLevel level) { logger().set_level(spdlogLevel(level)); }
+void setLogLevel(LogLevel level) {
+    logger().set_level(spdlogLevel(level));
+}
 
 void logLine(LogLevel level, const std::string& message) {
     logger().log(spdlogLevel(level), "{}{}", prefix(level), message);

@@ -1,4 +1,5 @@
-/// \file Result<T>: what a function gives back that depends on the world (a file, a device, a shader).
+/// \file Result<T>: what a function gives back that depends on the world (a file, a device, a
+/// shader).
 #pragma once
 
 #include <fmt/format.h>
@@ -21,7 +22,8 @@ Error error(fmt::format_string<Args...> format, Args&&... args) {
     return Error{fmt::format(format, std::forward<Args>(args)...)};
 }
 
-/// Either a value or the Error that stood in its way. Reading the wrong one is our bug (terminates).
+/// Either a value or the Error that stood in its way. Reading the wrong one is our bug
+/// (terminates).
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -64,15 +66,15 @@ class [[nodiscard]] Result<void> {
 #define LAMPYRIS_JOIN(a, b) LAMPYRIS_JOIN_(a, b)
 
 /// TRY(auto x, f()): x = the value of f(), or return f()'s error from this function.
-#define TRY(declaration, expression)                                                    \
-    auto LAMPYRIS_JOIN(tryResult, __LINE__) = (expression);                             \
-    if (!LAMPYRIS_JOIN(tryResult, __LINE__).ok())                                       \
-        return LAMPYRIS_JOIN(tryResult, __LINE__).error();                              \
+#define TRY(declaration, expression)                        \
+    auto LAMPYRIS_JOIN(tryResult, __LINE__) = (expression); \
+    if (!LAMPYRIS_JOIN(tryResult, __LINE__).ok())           \
+        return LAMPYRIS_JOIN(tryResult, __LINE__).error();  \
     declaration = std::move(LAMPYRIS_JOIN(tryResult, __LINE__)).value()
 
 /// TRY_VOID(f()): go on where f() succeeded, or return its error from this function.
-#define TRY_VOID(expression)                                                     \
-    do {                                                                         \
-        auto tryVoidResult = (expression);                                       \
-        if (!tryVoidResult.ok()) return tryVoidResult.error();                   \
+#define TRY_VOID(expression)                                   \
+    do {                                                       \
+        auto tryVoidResult = (expression);                     \
+        if (!tryVoidResult.ok()) return tryVoidResult.error(); \
     } while (false)

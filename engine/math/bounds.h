@@ -12,7 +12,9 @@ struct Bounds {
     glm::vec3 lower{std::numeric_limits<float>::infinity()};
     glm::vec3 upper{-std::numeric_limits<float>::infinity()};
 
-    [[nodiscard]] bool empty() const { return lower.x > upper.x || lower.y > upper.y || lower.z > upper.z; }
+    [[nodiscard]] bool empty() const {
+        return lower.x > upper.x || lower.y > upper.y || lower.z > upper.z;
+    }
     [[nodiscard]] glm::vec3 centre() const { return 0.5f * (lower + upper); }
     [[nodiscard]] glm::vec3 extent() const { return empty() ? glm::vec3(0.0f) : upper - lower; }
     /// Half the surface area, m².

@@ -10,7 +10,8 @@ namespace lampyris::math {
 
 constexpr float kPi = 3.14159265358979323846f;
 
-/// Right-handed perspective, reversed depth: the near plane at 1, infinity at 0, y down in clip space (Vulkan).
+/// Right-handed perspective, reversed depth: the near plane at 1, infinity at 0, y down in clip
+/// space (Vulkan).
 inline glm::mat4 perspectiveReversed(float verticalFovRadians, float aspect, float nearMetres) {
     const float f = 1.0f / std::tan(0.5f * verticalFovRadians);
     glm::mat4 m(0.0f);

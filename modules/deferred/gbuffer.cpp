@@ -19,14 +19,17 @@ struct GBufferPipelines {
 
     GBufferPipelines() {
         for (uint32_t bits = 0; bits < 8; ++bits) {
-            const auto optionalStride = [bits](uint32_t bit) { return (bits & bit) != 0 ? 16u : 0u; };
-            byAttributes[bits] = {.vertex = &shaders::gbufferVert,
-                                  .fragment = &shaders::gbufferFrag,
-                                  .attributes = {{shared::STREAM_POSITION, 0, 3, 12},
-                                                 {shared::STREAM_NORMAL, 1, 3, 12},
-                                                 {shared::STREAM_TANGENT, 2, 4, optionalStride(1)},
-                                                 {shared::STREAM_TEXCOORDS, 3, 4, optionalStride(2)},
-                                                 {shared::STREAM_COLOUR, 4, 4, optionalStride(4)}}};
+            const auto optionalStride = [bits](uint32_t bit) {
+                return (bits & bit) != 0 ? 16u : 0u;
+            };
+            byAttributes[bits] = {
+                .vertex = &shaders::gbufferVert,
+                .fragment = &shaders::gbufferFrag,
+                .attributes = {{shared::STREAM_POSITION, 0, 3, 12},
+                               {shared::STREAM_NORMAL, 1, 3, 12},
+                               {shared::STREAM_TANGENT, 2, 4, optionalStride(1)},
+                               {shared::STREAM_TEXCOORDS, 3, 4, optionalStride(2)},
+                               {shared::STREAM_COLOUR, 4, 4, optionalStride(4)}}};
         }
     }
 };
@@ -53,18 +56,20 @@ void drawItem(graph::RasterCommands& commands, const residency::SceneHandles& sc
 
 }  // namespace
 
-Surface addGBuffer(graph::Frame& frame, const shared::View& view, const residency::SceneHandles& scene,
+Surface addGBuffer(graph::Frame& frame, const shared::View& view,
+                   const residency::SceneHandles& scene,
                    const std::vector<residency::DrawItem>& draws) {
     const graph::Extent size{view.width, view.height};
     Surface surface{.view = view};
     auto node = frame.raster("gbuffer", size);
     surface.depth = node.clearedDepth(frame.image("depth buffer", {graph::Format::D32Float, size}));
-    surface.normal = node.clearedColourUint(shared::TARGET_NORMAL,
-                                            frame.image("packed normal", {graph::Format::R32Uint, size}));
-    surface.albedo = node.clearedColour(shared::TARGET_ALBEDO,
-                                        frame.image("albedo and roughness", {graph::Format::RGBA16Float, size}));
-    surface.specular = node.clearedColour(shared::TARGET_SPECULAR,
-                                          frame.image("reflectance", {graph::Format::RGBA8Unorm, size}));
+    surface.normal = node.clearedColourUint(
+        shared::TARGET_NORMAL, frame.image("packed normal", {graph::Format::R32Uint, size}));
+    surface.albedo =
+        node.clearedColour(shared::TARGET_ALBEDO,
+                           frame.image("albedo and roughness", {graph::Format::RGBA16Float, size}));
+    surface.specular = node.clearedColour(
+        shared::TARGET_SPECULAR, frame.image("reflectance", {graph::Format::RGBA8Unorm, size}));
     surface.emission = node.clearedColourUint(
         shared::TARGET_EMISSION, frame.image("packed emission", {graph::Format::R32Uint, size}));
     node.vertices(scene.positions).vertices(scene.normals).vertices(scene.tangents);

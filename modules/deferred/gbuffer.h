@@ -1,6 +1,6 @@
 /// \file gbuffer: the surface under every pixel.
-///   in      the scene's draws            out   depth, normal, albedo and roughness, reflectance, emission
-///   shader  deferred/gbuffer.vert, .frag  size  24 bytes a pixel (the Thesis: 72)
+///   in      the scene's draws            out   depth, normal, albedo and roughness, reflectance,
+///   emission shader  deferred/gbuffer.vert, .frag  size  24 bytes a pixel (the Thesis: 72)
 #pragma once
 
 #include <vector>
@@ -13,12 +13,12 @@ namespace lampyris::deferred {
 
 /// Formats and packing stand in shaders/shared/surface.h.
 struct Surface {
-    graph::Image depth;     ///< D32, reversed; 0 is background
-    graph::Image normal;    ///< world space, towards the camera
-    graph::Image albedo;    ///< diffuse albedo; a = roughness
-    graph::Image specular;  ///< square root of the reflectance at normal incidence
-    graph::Image emission;  ///< radiance
-    shared::View view;      ///< the camera it was drawn with
+    graph::Image depth{};     ///< D32, reversed; 0 is background
+    graph::Image normal{};    ///< world space, towards the camera
+    graph::Image albedo{};    ///< diffuse albedo; a = roughness
+    graph::Image specular{};  ///< square root of the reflectance at normal incidence
+    graph::Image emission{};  ///< radiance
+    shared::View view{};      ///< the camera it was drawn with
 };
 
 [[nodiscard]] Surface addGBuffer(graph::Frame& frame, const shared::View& view,

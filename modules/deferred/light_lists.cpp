@@ -16,8 +16,9 @@ LightLists addLightLists(graph::Frame& frame, const Surface& surface, const Tile
     auto reach = frame.compute("sphere_direct/reach", shaders::lightReach);
     bindSurface(reach, surface);
     reach.read(shared::SLOT_LIGHTS, scene.lights).push(lists.params);
-    lists.reach = reach.write(shared::SLOT_LIGHT_REACH,
-                              frame.buffer("light reach", {(uint64_t{scene.lightCount} + 3) * sizeof(float)}));
+    lists.reach = reach.write(
+        shared::SLOT_LIGHT_REACH,
+        frame.buffer("light reach", {(uint64_t{scene.lightCount} + 3) * sizeof(float)}));
     reach.dispatch(1);
 
     const uint32_t tiles = tileCount(surface.view);

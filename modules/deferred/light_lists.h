@@ -10,14 +10,17 @@
 namespace lampyris::deferred {
 
 struct LightLists {
-    graph::Buffer reach;  ///< metres a light, then three floats: the watts cut off, r, g, b
-    graph::Buffer masks;  ///< a tile: `maskWords` of lights that reach it, `maskWords` of discs it may show
+    graph::Buffer reach{};  ///< metres a light, then three floats: the watts cut off, r, g, b
+    graph::Buffer
+        masks;  ///< a tile: `maskWords` of lights that reach it, `maskWords` of discs it may show
     shared::DirectParams params;
 };
 
 /// \param cutoff of the frame's mean direct irradiance, under which a light is left out; 0: none is
 /// \param seed for the shadow rays
-[[nodiscard]] LightLists addLightLists(graph::Frame& frame, const Surface& surface, const TileBounds& bounds,
-                                       const residency::SceneHandles& scene, float cutoff, uint32_t seed);
+[[nodiscard]] LightLists addLightLists(graph::Frame& frame, const Surface& surface,
+                                       const TileBounds& bounds,
+                                       const residency::SceneHandles& scene, float cutoff,
+                                       uint32_t seed);
 
 }  // namespace lampyris::deferred

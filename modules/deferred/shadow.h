@@ -8,7 +8,8 @@
 
 namespace lampyris::deferred {
 
-[[nodiscard]] graph::Image addShadow(graph::Frame& frame, const Surface& surface, const LightLists& lights,
-                                     const residency::SceneHandles& scene, const accel::AccelHandles& accel);
+[[nodiscard]] graph::Image addShadow(graph::Frame& frame, const Surface& surface,
+                                     const LightLists& lights, const residency::SceneHandles& scene,
+                                     const accel::AccelHandles& accel);
 
 }  // namespace lampyris::deferred

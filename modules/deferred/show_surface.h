@@ -1,5 +1,5 @@
-/// \file show: the G-buffer as images to look at. Published under albedo, normal, position, depth and emission;
-/// the graph culls those that nobody asks for.
+/// \file show: the G-buffer as images to look at. Published under albedo, normal, position, depth
+/// and emission; the graph culls those that nobody asks for.
 #pragma once
 
 #include "deferred/gbuffer.h"

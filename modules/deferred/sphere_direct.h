@@ -9,12 +9,13 @@
 namespace lampyris::deferred {
 
 struct DirectLight {
-    graph::Image irradiance;  ///< RGBA16F, W/m²
-    graph::Image specular;    ///< RGBA16F, W/(m²·sr)
+    graph::Image irradiance{};  ///< RGBA16F, W/m²
+    graph::Image specular{};    ///< RGBA16F, W/(m²·sr)
 };
 
 /// \param shadowMasks invalid: no shadows
-[[nodiscard]] DirectLight addSphereDirect(graph::Frame& frame, const Surface& surface, const LightLists& lights,
-                                          graph::Image shadowMasks, const residency::SceneHandles& scene);
+[[nodiscard]] DirectLight addSphereDirect(graph::Frame& frame, const Surface& surface,
+                                          const LightLists& lights, graph::Image shadowMasks,
+                                          const residency::SceneHandles& scene);
 
 }  // namespace lampyris::deferred

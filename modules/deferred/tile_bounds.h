@@ -8,7 +8,7 @@
 namespace lampyris::deferred {
 
 struct TileBounds {
-    graph::Buffer bounds;  ///< vec2 a tile, row by row
+    graph::Buffer bounds{};  ///< vec2 a tile, row by row
 };
 
 [[nodiscard]] TileBounds addTileBounds(graph::Frame& frame, const Surface& surface);

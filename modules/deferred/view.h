@@ -11,6 +11,8 @@ namespace lampyris::deferred {
 [[nodiscard]] shared::View makeView(const scene::SnapshotCamera& camera, graph::Extent size);
 
 /// Number of 8 × 8 tiles, whole or cut.
-[[nodiscard]] inline uint32_t tileCount(const shared::View& view) { return view.tilesX * view.tilesY; }
+[[nodiscard]] inline uint32_t tileCount(const shared::View& view) {
+    return view.tilesX * view.tilesY;
+}
 
 }  // namespace lampyris::deferred

@@ -8,12 +8,14 @@ namespace lampyris::photon_gi {
 
 graph::Image addComposite(graph::Frame& frame, const deferred::Surface& surface,
                           const deferred::DirectLight& direct, graph::Image indirect,
-                          const deferred::LightLists& lights, const residency::SceneHandles& scene) {
+                          const deferred::LightLists& lights,
+                          const residency::SceneHandles& scene) {
     const graph::Extent size{surface.view.width, surface.view.height};
     shared::GatherParams params{};
     params.lightCount = lights.params.lightCount;
     params.maskWords = lights.params.maskWords;
-    auto node = frame.compute("composite", indirect.valid() ? shaders::composite : shaders::compositeDirect);
+    auto node = frame.compute("composite",
+                              indirect.valid() ? shaders::composite : shaders::compositeDirect);
     deferred::bindSurfaceMaterial(node, surface);
     node.sample(shared::SLOT_COMPOSITE_DIRECT, direct.irradiance)
         .sample(shared::SLOT_COMPOSITE_SPECULAR, direct.specular)
@@ -21,8 +23,8 @@ graph::Image addComposite(graph::Frame& frame, const deferred::Surface& surface,
         .read(shared::SLOT_COMPOSITE_MASKS, lights.masks)
         .push(params);
     if (indirect.valid()) node.sample(shared::SLOT_COMPOSITE_INDIRECT, indirect);
-    const graph::Image radiance = node.write(shared::SLOT_COMPOSITE_OUT,
-                                             frame.image("final", {graph::Format::RGBA16Float, size}));
+    const graph::Image radiance = node.write(
+        shared::SLOT_COMPOSITE_OUT, frame.image("final", {graph::Format::RGBA16Float, size}));
     node.dispatchOver(size);
     return radiance;
 }

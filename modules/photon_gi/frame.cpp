@@ -1,4 +1,5 @@
-// Read this file first: the frame as a storyboard. Each node is one function in a file of its own name.
+// Read this file first: the frame as a storyboard. Each node is one function in a file of its own
+// name.
 #include "photon_gi/frame.h"
 
 #include "deferred/shadow.h"
@@ -18,8 +19,9 @@ struct Indirect {
 };
 
 /// Photons of one batch after the other: traced, binned, gathered; their irradiances add up.
-Indirect addIndirect(graph::Frame& f, const FrameInputs& in, const Settings& s, const Capacities& room,
-                     const deferred::Surface& surface, const deferred::TileBounds& bounds, DrawnFrame& out) {
+Indirect addIndirect(graph::Frame& f, const FrameInputs& in, const Settings& s,
+                     const Capacities& room, const deferred::Surface& surface,
+                     const deferred::TileBounds& bounds, DrawnFrame& out) {
     const bool thesis = s.pipeline == Pipeline::Thesis;
     const GatherSettings gather{s.radiusMetres, s.gatherDivisor};
     const photons::TraceSettings trace{s.maxBounces, !thesis, in.seed, room.photons};
@@ -28,9 +30,11 @@ Indirect addIndirect(graph::Frame& f, const FrameInputs& in, const Settings& s, 
     auto edges = addEdges(f, surface, zeroed, gather);
     Gathered gathered;
     for (const auto& batch : photons::batchPaths(in.paths, s.maxBounces, s.largestBatch)) {
-        const auto photons = photons::addPhotonTrace(f, in.scene, in.accel, in.paths, batch, trace, edges.counters);
-        const auto tiles = thesis ? addTileTest(f, photons, bounds, in.view, {s.radiusMetres, room.pairs})
-                                  : addTileBin(f, photons, bounds, in.view, {s.radiusMetres, room.pairs});
+        const auto photons =
+            photons::addPhotonTrace(f, in.scene, in.accel, in.paths, batch, trace, edges.counters);
+        const auto tiles =
+            thesis ? addTileTest(f, photons, bounds, in.view, {s.radiusMetres, room.pairs})
+                   : addTileBin(f, photons, bounds, in.view, {s.radiusMetres, room.pairs});
         edges.counters = tiles.counters;
         gathered = addGather(f, surface, photons, tiles, edges, gather, gathered);
         out.ledgers.push_back(photons.ledger);
@@ -41,11 +45,13 @@ Indirect addIndirect(graph::Frame& f, const FrameInputs& in, const Settings& s, 
 
 }  // namespace
 
-DrawnFrame drawFrame(graph::Frame& f, const FrameInputs& in, const Settings& s, const Capacities& room) {
+DrawnFrame drawFrame(graph::Frame& f, const FrameInputs& in, const Settings& s,
+                     const Capacities& room) {
     DrawnFrame out;
     const auto surface = deferred::addGBuffer(f, in.view, in.scene, in.draws);
     const auto bounds = deferred::addTileBounds(f, surface);
-    const auto lights = deferred::addLightLists(f, surface, bounds, in.scene, s.lightCutoff, in.seed);
+    const auto lights =
+        deferred::addLightLists(f, surface, bounds, in.scene, s.lightCutoff, in.seed);
     graph::Image shadows;
     if (s.shadows && s.pipeline != Pipeline::Thesis)
         shadows = deferred::addShadow(f, surface, lights, in.scene, in.accel);

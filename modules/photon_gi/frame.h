@@ -18,19 +18,19 @@ struct FrameInputs {
     accel::AccelHandles accel;
     std::vector<residency::DrawItem> draws;
     photons::PathSplit paths;
-    shared::View view;
+    shared::View view{};
     uint32_t seed = 1;  ///< of this frame
 };
 
 /// What came of it. The buffers are for reading back after the frame.
 struct DrawnFrame {
-    graph::Image radiance;               ///< "final": RGBA16F
-    graph::Buffer counters;              ///< shared::FrameCounters; invalid where there is no indirect light
+    graph::Image radiance{};   ///< "final": RGBA16F
+    graph::Buffer counters{};  ///< shared::FrameCounters; invalid where there is no indirect light
     std::vector<graph::Buffer> ledgers;  ///< a batch each
-    graph::Buffer lightReach;            ///< metres a light, then the watts cut off
+    graph::Buffer lightReach{};            ///< metres a light, then the watts cut off
 };
 
-[[nodiscard]] DrawnFrame drawFrame(graph::Frame& frame, const FrameInputs& in, const Settings& settings,
-                                   const Capacities& room);
+[[nodiscard]] DrawnFrame drawFrame(graph::Frame& frame, const FrameInputs& in,
+                                   const Settings& settings, const Capacities& room);
 
 }  // namespace lampyris::photon_gi

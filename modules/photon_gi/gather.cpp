@@ -11,13 +11,16 @@ namespace {
 // [eq] Thesis listing 5.18.
 constexpr float kNormalLimit = 0.99f;
 
-shared::GatherParams gatherParams(const shared::View& view, const GatherSettings& settings, float powerScale) {
+shared::GatherParams gatherParams(const shared::View& view, const GatherSettings& settings,
+                                  float powerScale) {
     const graph::Extent coarse = coarseSize(view, settings.divisor);
-    return {settings.radiusMetres, powerScale, settings.divisor, coarse.width, coarse.height, 0, 0, kNormalLimit};
+    return {settings.radiusMetres, powerScale, settings.divisor, coarse.width, coarse.height, 0, 0,
+            kNormalLimit};
 }
 
 void bindEstimate(graph::ComputeNode& node, const deferred::Surface& surface,
-                  const photons::PhotonList& photons, const TileBins& bins, const GatherSettings& settings) {
+                  const photons::PhotonList& photons, const TileBins& bins,
+                  const GatherSettings& settings) {
     deferred::bindSurface(node, surface);
     node.texels(shared::SLOT_BIN_PHOTONS, photons.photons, graph::Format::RGBA32Uint)
         .texels(shared::SLOT_GATHER_INDICES, bins.indices, graph::Format::R32Uint)
@@ -25,8 +28,9 @@ void bindEstimate(graph::ComputeNode& node, const deferred::Surface& surface,
         .push(gatherParams(surface.view, settings, photons.powerScale));
 }
 
-graph::Image addCoarse(graph::Frame& frame, const deferred::Surface& surface, const photons::PhotonList& photons,
-                       const TileBins& bins, const GatherSettings& settings, graph::Image before) {
+graph::Image addCoarse(graph::Frame& frame, const deferred::Surface& surface,
+                       const photons::PhotonList& photons, const TileBins& bins,
+                       const GatherSettings& settings, graph::Image before) {
     const graph::Extent size = coarseSize(surface.view, settings.divisor);
     const bool first = !before.valid();
     auto node = frame.compute("gather", first ? shaders::gather : shaders::gatherAdd);
@@ -43,14 +47,17 @@ graph::Image addCoarse(graph::Frame& frame, const deferred::Surface& surface, co
 }
 
 graph::Buffer addEstimates(graph::Frame& frame, const deferred::Surface& surface,
-                           const photons::PhotonList& photons, const TileBins& bins, const EdgeList& edges,
-                           const GatherSettings& settings, graph::Buffer before) {
+                           const photons::PhotonList& photons, const TileBins& bins,
+                           const EdgeList& edges, const GatherSettings& settings,
+                           graph::Buffer before) {
     const bool first = !before.valid();
     auto node = frame.compute("upsample/recompute",
                               first ? shaders::upsampleRecompute : shaders::upsampleRecomputeAdd);
     bindEstimate(node, surface, photons, bins, settings);
-    node.read(shared::SLOT_GATHER_COUNTERS, edges.counters).read(shared::SLOT_GATHER_LIST, edges.list);
-    const uint64_t bytes = uint64_t{surface.view.width} * surface.view.height * sizeof(shared::vec4);
+    node.read(shared::SLOT_GATHER_COUNTERS, edges.counters)
+        .read(shared::SLOT_GATHER_LIST, edges.list);
+    const uint64_t bytes =
+        uint64_t{surface.view.width} * surface.view.height * sizeof(shared::vec4);
     const graph::Buffer estimates =
         first ? node.write(shared::SLOT_GATHER_ESTIMATES, frame.buffer("edge estimates", {bytes}))
               : node.update(shared::SLOT_GATHER_ESTIMATES, before);
@@ -71,23 +78,25 @@ EdgeList addEdges(graph::Frame& frame, const deferred::Surface& surface, graph::
     auto find = frame.compute("gather/edges", shaders::gatherEdges);
     deferred::bindSurface(find, surface);
     find.push(gatherParams(surface.view, settings, 1.0f));
-    list.edges =
-        find.write(shared::SLOT_GATHER_EDGES, frame.image("edge places", {graph::Format::R32Uint, size}));
-    list.list = find.write(shared::SLOT_GATHER_LIST,
-                           frame.buffer("edge list", {uint64_t{size.width} * size.height * sizeof(uint32_t)}));
+    list.edges = find.write(shared::SLOT_GATHER_EDGES,
+                            frame.image("edge places", {graph::Format::R32Uint, size}));
+    list.list = find.write(
+        shared::SLOT_GATHER_LIST,
+        frame.buffer("edge list", {uint64_t{size.width} * size.height * sizeof(uint32_t)}));
     list.counters = find.update(shared::SLOT_GATHER_COUNTERS, counters);
     find.dispatchOver(size);
 
     auto groups = frame.compute("gather/groups", shaders::gatherGroups);
     groups.read(shared::SLOT_GATHER_COUNTERS, list.counters);
-    list.groups = groups.write(shared::SLOT_GATHER_GROUPS, frame.buffer("edge groups", {3 * sizeof(uint32_t)}));
+    list.groups = groups.write(shared::SLOT_GATHER_GROUPS,
+                               frame.buffer("edge groups", {3 * sizeof(uint32_t)}));
     groups.dispatch(1);
     return list;
 }
 
-Gathered addGather(graph::Frame& frame, const deferred::Surface& surface, const photons::PhotonList& photons,
-                   const TileBins& bins, const EdgeList& edges, const GatherSettings& settings,
-                   const Gathered& before) {
+Gathered addGather(graph::Frame& frame, const deferred::Surface& surface,
+                   const photons::PhotonList& photons, const TileBins& bins, const EdgeList& edges,
+                   const GatherSettings& settings, const Gathered& before) {
     return {addCoarse(frame, surface, photons, bins, settings, before.coarse),
             addEstimates(frame, surface, photons, bins, edges, settings, before.estimates)};
 }

@@ -1,4 +1,5 @@
-/// \file gather: irradiance from the photons of each tile, at low resolution and at the pixels it fails.
+/// \file gather: irradiance from the photons of each tile, at low resolution and at the pixels it
+/// fails.
 ///   in      surface, photons, tile bins    out   coarse irradiance; estimates of the listed pixels
 ///   shader  photon_gi/gather*.comp, upsample_recompute.comp     theory  README [G1], [G2]
 #pragma once
@@ -15,25 +16,26 @@ struct GatherSettings {
 
 /// Pixels that the low-resolution texels around them cannot stand for.
 struct EdgeList {
-    graph::Image edges;      ///< R32Uint: 0, or 1 + the pixel's place in the list
-    graph::Buffer list;      ///< the pixels, x | y << 16
-    graph::Buffer groups;    ///< indirect dispatch over the list
-    graph::Buffer counters;  ///< shared::FrameCounters
+    graph::Image edges{};      ///< R32Uint: 0, or 1 + the pixel's place in the list
+    graph::Buffer list{};      ///< the pixels, x | y << 16
+    graph::Buffer groups{};    ///< indirect dispatch over the list
+    graph::Buffer counters{};  ///< shared::FrameCounters
 };
 
 /// Irradiance in W/m² without albedo, summed over the batches so far.
 struct Gathered {
-    graph::Image coarse;      ///< RGBA32F, a texel for divisor × divisor pixels
-    graph::Buffer estimates;  ///< vec4 for each listed pixel
+    graph::Image coarse{};      ///< RGBA32F, a texel for divisor × divisor pixels
+    graph::Buffer estimates{};  ///< vec4 for each listed pixel
 };
 
-[[nodiscard]] EdgeList addEdges(graph::Frame& frame, const deferred::Surface& surface, graph::Buffer counters,
-                                const GatherSettings& settings);
+[[nodiscard]] EdgeList addEdges(graph::Frame& frame, const deferred::Surface& surface,
+                                graph::Buffer counters, const GatherSettings& settings);
 
 /// \param before what earlier batches gathered, or invalid handles
 [[nodiscard]] Gathered addGather(graph::Frame& frame, const deferred::Surface& surface,
-                                 const photons::PhotonList& photons, const TileBins& bins, const EdgeList& edges,
-                                 const GatherSettings& settings, const Gathered& before);
+                                 const photons::PhotonList& photons, const TileBins& bins,
+                                 const EdgeList& edges, const GatherSettings& settings,
+                                 const Gathered& before);
 
 /// The low-resolution size of a view.
 [[nodiscard]] graph::Extent coarseSize(const shared::View& view, uint32_t divisor);

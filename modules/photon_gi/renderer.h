@@ -1,4 +1,5 @@
-/// \file What a program holds: the scene on the device, the room that frames need, and what each frame reports.
+/// \file What a program holds: the scene on the device, the room that frames need, and what each
+/// frame reports.
 #pragma once
 
 #include <string>
@@ -29,7 +30,8 @@ struct FrameReport {
     bool valid = true;  ///< false: a store or list was too small; the next frame has more room
 };
 
-/// Errors: a published image of that name does not exist, a limit or memory of the device is exceeded.
+/// Errors: a published image of that name does not exist, a limit or memory of the device is
+/// exceeded.
 class Renderer {
  public:
     explicit Renderer(execute::Executor& executor);
@@ -46,13 +48,16 @@ class Renderer {
         FrameReport report;
         core::Image image;  ///< what `outputNode` named; empty where it was empty
     };
-    /// Compiles and runs a declared frame and reads its report back; grows the room where it was too small.
-    core::Result<Outcome> run(const graph::Frame& frame, const DrawnFrame& drawn, const std::string& outputNode,
-                              graph::CompileOptions options = {});
+    /// Compiles and runs a declared frame and reads its report back; grows the room where it was
+    /// too small.
+    core::Result<Outcome> run(const graph::Frame& frame, const DrawnFrame& drawn,
+                              const std::string& outputNode, graph::CompileOptions options = {});
 
     [[nodiscard]] const accel::AccelOnGpu& accel() const { return accel_; }
     [[nodiscard]] const residency::SceneOnGpu& scene() const { return scene_; }
-    [[nodiscard]] uint64_t deviceBytes() const { return scene_.deviceBytes() + accel_.deviceBytes(); }
+    [[nodiscard]] uint64_t deviceBytes() const {
+        return scene_.deviceBytes() + accel_.deviceBytes();
+    }
     [[nodiscard]] Capacities& capacities() { return room_; }
 
  private:

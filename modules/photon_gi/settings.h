@@ -16,14 +16,14 @@ enum class Pipeline : uint8_t {
 /// Defaults are those of the program's options.
 struct Settings {
     Pipeline pipeline = Pipeline::Full;
-    uint32_t photonPaths = 1000;     ///< emitted a frame
-    float radiusMetres = 1.0f;       ///< of a photon's influence
-    uint32_t maxBounces = 8;         ///< `thesis`: 1
-    uint32_t gatherDivisor = 2;      ///< low resolution, an axis
-    float lightCutoff = 0.001f;      ///< of the frame's mean direct irradiance
+    uint32_t photonPaths = 1000;  ///< emitted a frame
+    float radiusMetres = 1.0f;    ///< of a photon's influence
+    uint32_t maxBounces = 8;      ///< `thesis`: 1
+    uint32_t gatherDivisor = 2;   ///< low resolution, an axis
+    float lightCutoff = 0.001f;   ///< of the frame's mean direct irradiance
     uint32_t seed = 1;
-    bool reseed = true;              ///< paths are drawn anew every frame
-    bool shadows = true;             ///< `full` and `direct`
+    bool reseed = true;                   ///< paths are drawn anew every frame
+    bool shadows = true;                  ///< `full` and `direct`
     uint32_t largestBatch = 0xffffffffu;  ///< paths traced in one go, at most
 };
 

@@ -1,5 +1,5 @@
-/// \file show: the parts of the light as images to look at. Published under direct, indirect, irradiance_direct,
-/// irradiance_indirect and edges; the graph culls those that nobody asks for.
+/// \file show: the parts of the light as images to look at. Published under direct, indirect,
+/// irradiance_direct, irradiance_indirect and edges; the graph culls those that nobody asks for.
 #pragma once
 
 #include "deferred/sphere_direct.h"
@@ -7,7 +7,7 @@
 namespace lampyris::photon_gi {
 
 /// \param indirect, edges invalid where the pipeline has none
-void publishLight(graph::Frame& frame, const deferred::Surface& surface, const deferred::DirectLight& direct,
-                  graph::Image indirect, graph::Image edges);
+void publishLight(graph::Frame& frame, const deferred::Surface& surface,
+                  const deferred::DirectLight& direct, graph::Image indirect, graph::Image edges);
 
 }  // namespace lampyris::photon_gi

@@ -12,13 +12,14 @@ namespace {
 
 /// Pairs in the order of some digits of their tile.
 struct Pairs {
-    graph::Buffer tiles;
-    graph::Buffer indices;
-    graph::Buffer offsets;  ///< before each photon; [capacity] is the number of pairs
+    graph::Buffer tiles{};
+    graph::Buffer indices{};
+    graph::Buffer offsets{};  ///< before each photon; [capacity] is the number of pairs
 };
 
 void bindPhotons(graph::ComputeNode& node, const photons::PhotonList& photons,
-                 const deferred::TileBounds& bounds, const shared::View& view, const shared::BinParams& params) {
+                 const deferred::TileBounds& bounds, const shared::View& view,
+                 const shared::BinParams& params) {
     node.texels(shared::SLOT_BIN_PHOTONS, photons.photons, graph::Format::RGBA32Uint)
         .read(shared::SLOT_BIN_PHOTON_TOTAL, photons.pathOffsets)
         .read(shared::SLOT_BIN_BOUNDS, bounds.bounds)
@@ -26,13 +27,15 @@ void bindPhotons(graph::ComputeNode& node, const photons::PhotonList& photons,
         .push(params);
 }
 
-Pairs addPairs(graph::Frame& frame, const photons::PhotonList& photons, const deferred::TileBounds& bounds,
-               const shared::View& view, const shared::BinParams& params, graph::Buffer& counters) {
+Pairs addPairs(graph::Frame& frame, const photons::PhotonList& photons,
+               const deferred::TileBounds& bounds, const shared::View& view,
+               const shared::BinParams& params, graph::Buffer& counters) {
     const uint32_t groups = (params.capacity + 63) / 64;
     auto count = frame.compute("tile_bin/count", shaders::tileBinCount);
     bindPhotons(count, photons, bounds, view, params);
-    const graph::Buffer counts = count.write(
-        shared::SLOT_BIN_COUNTS, frame.buffer("tiles a photon", {uint64_t{params.capacity} * sizeof(uint32_t)}));
+    const graph::Buffer counts =
+        count.write(shared::SLOT_BIN_COUNTS,
+                    frame.buffer("tiles a photon", {uint64_t{params.capacity} * sizeof(uint32_t)}));
     count.dispatch(groups);
 
     Pairs pairs;
@@ -54,8 +57,9 @@ Pairs addSortDigit(graph::Frame& frame, const Pairs& pairs, const shared::BinPar
         .read(shared::SLOT_BIN_PHOTON_TOTAL, pairs.offsets)
         .push(params);
     const uint32_t countSize = shared::SORT_DIGITS * params.blocks;
-    const graph::Buffer counts = digits.write(
-        shared::SLOT_BIN_COUNTS, frame.buffer("digit counts", {uint64_t{countSize} * sizeof(uint32_t)}));
+    const graph::Buffer counts =
+        digits.write(shared::SLOT_BIN_COUNTS,
+                     frame.buffer("digit counts", {uint64_t{countSize} * sizeof(uint32_t)}));
     digits.dispatch(params.blocks);
 
     const graph::Buffer offsets = photons::addPrefixSum(frame, "tile_bin", counts, countSize);
@@ -68,7 +72,8 @@ Pairs addSortDigit(graph::Frame& frame, const Pairs& pairs, const shared::BinPar
     const graph::BufferDesc desc{uint64_t{params.pairCapacity} * sizeof(uint32_t)};
     Pairs sorted{.offsets = pairs.offsets};
     sorted.tiles = scatter.write(shared::SLOT_BIN_SORTED_TILES, frame.buffer("sorted tiles", desc));
-    sorted.indices = scatter.write(shared::SLOT_BIN_SORTED_INDICES, frame.buffer("sorted photons", desc));
+    sorted.indices =
+        scatter.write(shared::SLOT_BIN_SORTED_INDICES, frame.buffer("sorted photons", desc));
     scatter.dispatch(params.blocks);
     return sorted;
 }
@@ -98,7 +103,8 @@ TileBins addTileBin(graph::Frame& frame, const photons::PhotonList& photons,
         .uniformData(shared::SLOT_VIEW, view)
         .push(params);
     bins.indices = pairs.indices;
-    bins.ranges = ranges.write(shared::SLOT_BIN_RANGES, frame.buffer("tile ranges", {uint64_t{tiles} * 8}));
+    bins.ranges =
+        ranges.write(shared::SLOT_BIN_RANGES, frame.buffer("tile ranges", {uint64_t{tiles} * 8}));
     bins.counters = ranges.update(shared::SLOT_BIN_COUNTERS, bins.counters);
     ranges.dispatch((tiles + 63) / 64);
     return bins;

@@ -1,9 +1,11 @@
-/// \file tile_bin: lists, for every screen tile, the photons whose sphere of influence touches it, in photon order.
+/// \file tile_bin: lists, for every screen tile, the photons whose sphere of influence touches it,
+/// in photon order.
 ///   in      photons, tile bounds          out   ranges (a tile), indices (flat), counters
 ///   shader  photon_gi/tile_bin_*.comp     theory  README [B1]
 ///
-/// Each photon visits the tiles under its own outline and writes (tile, photon) pairs, photon by photon; a stable
-/// radix sort by tile then makes the lists. Cost follows the pairs, not tiles times photons.
+/// Each photon visits the tiles under its own outline and writes (tile, photon) pairs, photon by
+/// photon; a stable radix sort by tile then makes the lists. Cost follows the pairs, not tiles
+/// times photons.
 #pragma once
 
 #include "deferred/tile_bounds.h"
@@ -12,9 +14,9 @@
 namespace lampyris::photon_gi {
 
 struct TileBins {
-    graph::Buffer ranges;    ///< uvec2 a tile: first index, count
-    graph::Buffer indices;   ///< photon numbers
-    graph::Buffer counters;  ///< shared::FrameCounters
+    graph::Buffer ranges{};    ///< uvec2 a tile: first index, count
+    graph::Buffer indices{};   ///< photon numbers
+    graph::Buffer counters{};  ///< shared::FrameCounters
 };
 
 struct TileSettings {

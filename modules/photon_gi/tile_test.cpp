@@ -27,8 +27,9 @@ TileBins addTileTest(graph::Frame& frame, const photons::PhotonList& photons,
 
     auto count = frame.compute("tile_bin/count", shaders::tileTest);
     bindTest(count);
-    const graph::Buffer counts = count.write(
-        shared::SLOT_BIN_COUNTS, frame.buffer("photons a tile", {uint64_t{countSize} * sizeof(uint32_t)}));
+    const graph::Buffer counts =
+        count.write(shared::SLOT_BIN_COUNTS,
+                    frame.buffer("photons a tile", {uint64_t{countSize} * sizeof(uint32_t)}));
     count.dispatch(view.tilesX, view.tilesY);
 
     const graph::Buffer offsets = photons::addPrefixSum(frame, "tile_bin", counts, countSize);
@@ -39,7 +40,8 @@ TileBins addTileTest(graph::Frame& frame, const photons::PhotonList& photons,
     bins.indices = insert.write(
         shared::SLOT_BIN_INDICES,
         frame.buffer("tile photons", {uint64_t{settings.pairCapacity} * sizeof(uint32_t)}));
-    bins.ranges = insert.write(shared::SLOT_BIN_RANGES, frame.buffer("tile ranges", {uint64_t{tiles} * 8}));
+    bins.ranges =
+        insert.write(shared::SLOT_BIN_RANGES, frame.buffer("tile ranges", {uint64_t{tiles} * 8}));
     bins.counters = insert.update(shared::SLOT_BIN_COUNTERS, photons.counters);
     insert.dispatch(view.tilesX, view.tilesY);
     return bins;

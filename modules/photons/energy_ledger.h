@@ -1,4 +1,5 @@
-/// \file Where all emitted power went, exactly: emitted = absorbed + escaped + in flight + roulette.
+/// \file Where all emitted power went, exactly: emitted = absorbed + escaped + in flight +
+/// roulette.
 #pragma once
 
 #include <span>

@@ -7,13 +7,18 @@
 namespace lampyris::photons {
 namespace {
 
-float mean(const glm::vec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3.0f; }
-float largest(const glm::vec3& rgb) { return std::max({rgb.x, rgb.y, rgb.z}); }
+float mean(const glm::vec3& rgb) {
+    return (rgb.x + rgb.y + rgb.z) / 3.0f;
+}
+float largest(const glm::vec3& rgb) {
+    return std::max({rgb.x, rgb.y, rgb.z});
+}
 
 Emitter sphereEmitter(uint32_t index, const scene::SnapshotLight& light) {
     Emitter emitter{shared::EMIT_SPHERE, index, light.powerWatts, light.powerWatts};
     if (light.cosOuterCone > -1.0f) {
-        // Share of all directions, and of it what the squared falloff between the cones lets through.
+        // Share of all directions, and of it what the squared falloff between the cones lets
+        // through.
         const float outer = 0.5f * (1.0f - light.cosOuterCone);
         const float inner = 0.5f * (1.0f - light.cosInnerCone);
         emitter.sampledWatts = light.powerWatts * outer;
@@ -24,9 +29,9 @@ Emitter sphereEmitter(uint32_t index, const scene::SnapshotLight& light) {
 
 /// Whole shares that sum to `total`, at least one each.
 std::vector<uint32_t> apportion(const std::vector<Emitter>& emitters, uint32_t total) {
-    const double sum = std::accumulate(emitters.begin(), emitters.end(), 0.0, [](double s, const Emitter& e) {
-        return s + static_cast<double>(mean(e.powerWatts));
-    });
+    const double sum = std::accumulate(
+        emitters.begin(), emitters.end(), 0.0,
+        [](double s, const Emitter& e) { return s + static_cast<double>(mean(e.powerWatts)); });
     const auto spare = static_cast<double>(total - emitters.size());
     std::vector<uint32_t> shares(emitters.size(), 1);
     std::vector<double> remainders(emitters.size());
@@ -72,12 +77,13 @@ PathSplit splitPaths(const std::vector<Emitter>& emitters, uint32_t paths) {
     split.powerScale = 0.0f;
     for (size_t i = 0; i < emitters.size(); ++i) {
         const glm::vec3 perPath = emitters[i].sampledWatts / static_cast<float>(shares[i]);
-        split.ranges.push_back(
-            {first, shares[i], emitters[i].kind, emitters[i].index, glm::vec4(perPath, mean(perPath))});
+        split.ranges.push_back({first, shares[i], emitters[i].kind, emitters[i].index,
+                                glm::vec4(perPath, mean(perPath))});
         first += shares[i];
         // A glowing triangle may hold all the power of a path in one channel.
         const bool surface = emitters[i].kind == shared::EMIT_SURFACE;
-        split.powerScale = std::max(split.powerScale, surface ? 3.0f * mean(perPath) : largest(perPath));
+        split.powerScale =
+            std::max(split.powerScale, surface ? 3.0f * mean(perPath) : largest(perPath));
         split.anySurface = split.anySurface || surface;
     }
     return split;

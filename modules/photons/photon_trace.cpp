@@ -9,11 +9,15 @@
 namespace lampyris::photons {
 namespace {
 
-constexpr uint64_t kStorageRange = uint64_t{128} << 20;  // Vulkan's guaranteed maxStorageBufferRange
-// [chosen] Stored hits before roulette: the first three carry most of the light and stay free of its noise.
+constexpr uint64_t kStorageRange = uint64_t{128}
+                                   << 20;  // Vulkan's guaranteed maxStorageBufferRange
+// [chosen] Stored hits before roulette: the first three carry most of the light and stay free of
+// its noise.
 constexpr uint32_t kRouletteFrom = 3;
 
-uint32_t traceGroups(uint32_t paths) { return (paths + shared::TRACE_THREADS - 1) / shared::TRACE_THREADS; }
+uint32_t traceGroups(uint32_t paths) {
+    return (paths + shared::TRACE_THREADS - 1) / shared::TRACE_THREADS;
+}
 
 }  // namespace
 
@@ -21,10 +25,12 @@ uint32_t photonsPerPath(const PathSplit& split, uint32_t maxBounces) {
     return maxBounces + (split.anySurface ? 1u : 0u);
 }
 
-std::vector<PathBatch> batchPaths(const PathSplit& split, uint32_t maxBounces, uint32_t largestBatch) {
-    const uint64_t pathBytes = uint64_t{photonsPerPath(split, maxBounces)} * sizeof(shared::PackedPhoton);
-    const auto most = static_cast<uint32_t>(
-        std::min<uint64_t>({kStorageRange / std::max<uint64_t>(pathBytes, 1), kMaxPhotonCapacity, largestBatch}));
+std::vector<PathBatch> batchPaths(const PathSplit& split, uint32_t maxBounces,
+                                  uint32_t largestBatch) {
+    const uint64_t pathBytes =
+        uint64_t{photonsPerPath(split, maxBounces)} * sizeof(shared::PackedPhoton);
+    const auto most = static_cast<uint32_t>(std::min<uint64_t>(
+        {kStorageRange / std::max<uint64_t>(pathBytes, 1), kMaxPhotonCapacity, largestBatch}));
     std::vector<PathBatch> batches;
     // Even shares, so that the last batch is no smaller than it must be.
     const uint32_t count = (split.paths + most - 1) / std::max(most, 1u);
@@ -37,8 +43,9 @@ std::vector<PathBatch> batchPaths(const PathSplit& split, uint32_t maxBounces, u
 }
 
 PhotonList addPhotonTrace(graph::Frame& frame, const residency::SceneHandles& scene,
-                          const accel::AccelHandles& accel, const PathSplit& split, const PathBatch& batch,
-                          const TraceSettings& settings, graph::Buffer counters) {
+                          const accel::AccelHandles& accel, const PathSplit& split,
+                          const PathBatch& batch, const TraceSettings& settings,
+                          graph::Buffer counters) {
     const uint32_t perPath = photonsPerPath(split, settings.maxBounces);
     const uint32_t groups = traceGroups(batch.pathCount);
     const uint64_t stagedBytes = uint64_t{batch.pathCount} * perPath * sizeof(shared::PackedPhoton);
@@ -50,13 +57,15 @@ PhotonList addPhotonTrace(graph::Frame& frame, const residency::SceneHandles& sc
         .texels(shared::SLOT_EMITTER_TRIANGLES, scene.emitterTriangles, graph::Format::RGBA32Float)
         .storageData(shared::SLOT_PATH_RANGES, split.ranges.data(),
                      split.ranges.size() * sizeof(shared::PathRange))
-        .push(shared::TraceParams{batch.firstPath, batch.pathCount, static_cast<uint32_t>(split.ranges.size()),
-                                  perPath, settings.maxBounces, settings.roulette ? kRouletteFrom : 0xffffffffu,
-                                  settings.seed, split.powerScale});
+        .push(shared::TraceParams{
+            batch.firstPath, batch.pathCount, static_cast<uint32_t>(split.ranges.size()), perPath,
+            settings.maxBounces, settings.roulette ? kRouletteFrom : 0xffffffffu, settings.seed,
+            split.powerScale});
     const graph::Buffer staged =
         trace.write(shared::SLOT_STAGED_PHOTONS, frame.buffer("staged photons", {stagedBytes}));
-    const graph::Buffer counts = trace.write(
-        shared::SLOT_PATH_COUNTS, frame.buffer("path counts", {uint64_t{batch.pathCount} * sizeof(uint32_t)}));
+    const graph::Buffer counts =
+        trace.write(shared::SLOT_PATH_COUNTS,
+                    frame.buffer("path counts", {uint64_t{batch.pathCount} * sizeof(uint32_t)}));
     PhotonList list;
     list.ledger = trace.write(
         shared::SLOT_LEDGER,
@@ -72,9 +81,9 @@ PhotonList addPhotonTrace(graph::Frame& frame, const residency::SceneHandles& sc
     store.read(shared::SLOT_STAGED_PHOTONS, staged)
         .read(shared::SLOT_PATH_OFFSETS, list.pathOffsets)
         .push(shared::StoreParams{batch.pathCount, perPath, settings.photonCapacity, 0});
-    list.photons = store.write(
-        shared::SLOT_PHOTONS,
-        frame.buffer("photons", {uint64_t{settings.photonCapacity} * sizeof(shared::PackedPhoton)}));
+    list.photons = store.write(shared::SLOT_PHOTONS,
+                               frame.buffer("photons", {uint64_t{settings.photonCapacity} *
+                                                        sizeof(shared::PackedPhoton)}));
     list.counters = store.update(shared::SLOT_COUNTERS, counters);
     store.dispatch(groups);
     return list;

@@ -1,6 +1,7 @@
 /// \file photon_trace: sends paths through the scene and stores what they hit; needs no camera.
-///   in      BVH, materials, emitters      out   photons in the order (path, bounce), their number, the ledger
-///   shader  photons/photon_trace.comp, photon_store.comp      theory  README [P1] to [P4]
+///   in      BVH, materials, emitters      out   photons in the order (path, bounce), their number,
+///   the ledger shader  photons/photon_trace.comp, photon_store.comp      theory  README [P1] to
+///   [P4]
 #pragma once
 
 #include "accel/accel_on_gpu.h"
@@ -12,14 +13,15 @@
 namespace lampyris::photons {
 
 struct TraceSettings {
-    uint32_t maxBounces = 8;        ///< B: a path hits at most B + 1 surfaces
-    bool roulette = true;           ///< past the first bounces
-    uint32_t seed = 1;              ///< of this frame
-    uint32_t photonCapacity = 0;    ///< of the store, in photons
+    uint32_t maxBounces = 8;      ///< B: a path hits at most B + 1 surfaces
+    bool roulette = true;         ///< past the first bounces
+    uint32_t seed = 1;            ///< of this frame
+    uint32_t photonCapacity = 0;  ///< of the store, in photons
 };
 
-/// The share of the frame's paths that is traced, binned and gathered in one go. What a shader may write
-/// through a storage buffer is bounded (128 MiB guaranteed), so many photons come in several batches.
+/// The share of the frame's paths that is traced, binned and gathered in one go. What a shader may
+/// write through a storage buffer is bounded (128 MiB guaranteed), so many photons come in several
+/// batches.
 struct PathBatch {
     uint32_t firstPath = 0;
     uint32_t pathCount = 0;
@@ -34,13 +36,14 @@ struct PathBatch {
 constexpr uint32_t kMaxPhotonCapacity = 65535u * 64u;
 
 struct PhotonList {
-    graph::Buffer photons;      ///< shared::PackedPhoton
-    graph::Buffer pathOffsets;  ///< sums before each path; [pathCount] is the photons' number, dropped ones too
-    graph::Buffer ledger;       ///< shared::LEDGER_FLOATS a workgroup of TRACE_THREADS paths
-    graph::Buffer counters;     ///< shared::FrameCounters, with this batch added
+    graph::Buffer photons{};      ///< shared::PackedPhoton
+    graph::Buffer pathOffsets{};  ///< sums before each path; [pathCount] is the photons' number,
+                                ///< dropped ones too
+    graph::Buffer ledger{};       ///< shared::LEDGER_FLOATS a workgroup of TRACE_THREADS paths
+    graph::Buffer counters{};     ///< shared::FrameCounters, with this batch added
     uint32_t pathCount = 0;
     uint32_t capacity = 0;
-    float powerScale = 1.0f;    ///< watts; unit of the photons' powers
+    float powerScale = 1.0f;  ///< watts; unit of the photons' powers
 };
 
 /// \param counters as the batch before left them

@@ -10,11 +10,12 @@ graph::Buffer addPrefixSum(graph::Frame& frame, const std::string& node, graph::
     const uint32_t blockCount = (count + shared::SCAN_BLOCK - 1) / shared::SCAN_BLOCK;
     auto inside = frame.compute(node + "/sum_blocks", shaders::prefixSumBlocks);
     inside.read(shared::SLOT_SCAN_COUNTS, counts).push(count);
-    graph::Buffer offsets = inside.write(shared::SLOT_SCAN_OFFSETS,
-                                         frame.buffer(node + " sums", {(uint64_t{count} + 1) * sizeof(uint32_t)}));
-    graph::Buffer blocks =
-        inside.write(shared::SLOT_SCAN_BLOCKS,
-                     frame.buffer(node + " block sums", {(uint64_t{blockCount} + 1) * sizeof(uint32_t)}));
+    graph::Buffer offsets =
+        inside.write(shared::SLOT_SCAN_OFFSETS,
+                     frame.buffer(node + " sums", {(uint64_t{count} + 1) * sizeof(uint32_t)}));
+    graph::Buffer blocks = inside.write(
+        shared::SLOT_SCAN_BLOCKS,
+        frame.buffer(node + " block sums", {(uint64_t{blockCount} + 1) * sizeof(uint32_t)}));
     inside.dispatch(blockCount);
 
     auto totals = frame.compute(node + "/sum_totals", shaders::prefixSumTotals);

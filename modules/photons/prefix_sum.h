@@ -11,7 +11,7 @@ namespace lampyris::photons {
 
 /// \param node the report's name of what this is part of ("tile_bin")
 /// \return count + 1 uints
-[[nodiscard]] graph::Buffer addPrefixSum(graph::Frame& frame, const std::string& node, graph::Buffer counts,
-                                         uint32_t count);
+[[nodiscard]] graph::Buffer addPrefixSum(graph::Frame& frame, const std::string& node,
+                                         graph::Buffer counts, uint32_t count);
 
 }  // namespace lampyris::photons

@@ -65,7 +65,8 @@ TEST(PathSplit, LeavesOutWhatDoesNotShine) {
 }
 
 TEST(PathSplit, SpotPowerIsTheConesShareWithItsFalloff) {
-    // Half space, no falloff: half the power. Falloff from the pole to 60°: a third of that cone's quarter.
+    // Half space, no falloff: half the power. Falloff from the pole to 60°: a third of that cone's
+    // quarter.
     const auto hard = listEmitters({light(8.0f, 0.0f, 0.0f)}, {});
     EXPECT_FLOAT_EQ(hard[0].powerWatts.x, 4.0f);
     const auto soft = listEmitters({light(8.0f, 0.5f, 1.0f)}, {});
