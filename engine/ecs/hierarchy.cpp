@@ -37,7 +37,11 @@ struct Kinship {
 core::Result<void> setParent(World& world, Entity child, Entity parent) {
     CHECK(world.occupant(child.index()) == child);
     CHECK(world.occupant(parent.index()) == parent);
-    if (isWithin(world, parent, child))
+    // Nothing is below an entity without children: no walk up, so that a long chain is built in
+    // linear time.
+    const bool cycle =
+        child == parent || (world.has<Children>(child) && isWithin(world, parent, child));
+    if (cycle)
         return core::error("entity {} cannot be a child of {}: it would be its own ancestor", child,
                            parent);
     const Entity former = parentOf(world, child);
