@@ -1,0 +1,44 @@
+#include "execute/uniform_ring.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace lampyris::execute {
+namespace {
+
+// [chosen] A frame has some tens of nodes of some hundred bytes each.
+constexpr uint64_t kBlockBytes = uint64_t{256} << 10;
+
+}  // namespace
+
+core::Result<UniformRing::Place> UniformRing::add(std::span<const uint8_t> bytes) {
+    const VkPhysicalDeviceLimits& limits = device_->limits().core;
+    if (bytes.size() > limits.maxUniformBufferRange)
+        return core::error(
+            "{} bytes of uniforms are more than the device's maxUniformBufferRange, {}",
+            bytes.size(), limits.maxUniformBufferRange);
+    const uint64_t alignment =
+        std::max<uint64_t>(limits.minUniformBufferOffsetAlignment, sizeof(float) * 4);
+    uint64_t offset = (used_ + alignment - 1) / alignment * alignment;
+    while (block_ < blocks_.size() && offset + bytes.size() > blocks_[block_].bytes()) {
+        ++block_;
+        offset = 0;
+    }
+    if (block_ == blocks_.size()) {
+        TRY(gpu::Buffer fresh,
+            gpu::Buffer::create(*device_, {.bytes = std::max<uint64_t>(kBlockBytes, bytes.size()),
+                                           .memory = gpu::MemoryUse::Upload,
+                                           .name = "uniforms"}));
+        blocks_.push_back(std::move(fresh));
+    }
+    std::memcpy(blocks_[block_].mapped().data() + offset, bytes.data(), bytes.size());
+    used_ = offset + bytes.size();
+    return Place{blocks_[block_].get(), offset, bytes.size()};
+}
+
+void UniformRing::reset() {
+    block_ = 0;
+    used_ = 0;
+}
+
+}  // namespace lampyris::execute
