@@ -42,9 +42,10 @@ struct MeshInstance {
 /// A glowing sphere at the entity's origin. It neither blocks nor reflects light.
 struct SphereLight {
     float radiusMetres = 0.05f;
-    glm::vec3 powerWatts{0.0f};      ///< Φ a channel over the whole sphere
-    float cosOuterCone = -1.0f;      ///< spot: no light outside; −1 is a full sphere. Axis: the entity's −z
-    float cosInnerCone = -1.0f;      ///< spot: full light inside
+    glm::vec3 powerWatts{0.0f};  ///< Φ a channel over the whole sphere
+    float cosOuterCone =
+        -1.0f;  ///< spot: no light outside; −1 is a full sphere. Axis: the entity's −z
+    float cosInnerCone = -1.0f;  ///< spot: full light inside
 };
 
 /// A pinhole camera looking along the entity's −z.

@@ -18,9 +18,15 @@ struct Versioned {
     uint64_t version = 0;  ///< unique over the library's life: equal versions mean equal contents
 };
 
+/// What a MeshInstance without a material is drawn with. Not glTF's default, a white metal: that
+/// would reflect no diffuse light, and diffuse light is all that bounces here.
+constexpr MaterialId kDefaultMaterial{0};
+
 /// Kept in the ecs::World as its resource. Entities refer to it by id.
 class Library {
  public:
+    /// Holds the default material (matt, albedo 0.8) as kDefaultMaterial, and nothing else.
+    Library();
     MeshId addMesh(assets::Mesh mesh);
     MaterialId addMaterial(assets::Material material);
     int32_t addImage(assets::TextureImage image);
@@ -29,8 +35,12 @@ class Library {
     void replaceMaterial(MaterialId id, assets::Material material);
 
     [[nodiscard]] const std::vector<Versioned<assets::Mesh>>& meshes() const { return meshes_; }
-    [[nodiscard]] const std::vector<Versioned<assets::Material>>& materials() const { return materials_; }
-    [[nodiscard]] const std::vector<Versioned<assets::TextureImage>>& images() const { return images_; }
+    [[nodiscard]] const std::vector<Versioned<assets::Material>>& materials() const {
+        return materials_;
+    }
+    [[nodiscard]] const std::vector<Versioned<assets::TextureImage>>& images() const {
+        return images_;
+    }
 
  private:
     std::vector<Versioned<assets::Mesh>> meshes_;

@@ -1,4 +1,5 @@
-/// \file The neck of the hourglass: all that a renderer may know of the world, immutable, on the CPU.
+/// \file The neck of the hourglass: all that a renderer may know of the world, immutable, on the
+/// CPU.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +12,22 @@
 
 namespace lampyris::scene {
 
-/// A mesh in the world. `version` grows when anything of it changes.
+/// A mesh in the world. `version` grows when anything here or the mesh's contents change; contents
+/// of its material are told by SceneSnapshot::materialVersion.
 struct SnapshotInstance {
     ecs::Entity entity;
     uint32_t mesh = 0;      ///< into SceneSnapshot::meshes
     uint32_t material = 0;  ///< into SceneSnapshot::materials
     glm::mat4 objectToWorld{1.0f};
     uint64_t version = 0;
+    math::Bounds boundsWorld{};  ///< around the transformed box of the mesh
 };
 
 struct SnapshotLight {
     ecs::Entity entity;
     glm::vec3 positionWorld{0.0f};
     float radiusMetres = 0.05f;
-    glm::vec3 powerWatts{0.0f};         ///< over the whole sphere, as if there were no cone
+    glm::vec3 powerWatts{0.0f};  ///< over the whole sphere, as if there were no cone
     glm::vec3 directionWorld{0.0f, 0.0f, -1.0f};
     float cosOuterCone = -1.0f;
     float cosInnerCone = -1.0f;

@@ -1,0 +1,187 @@
+#include "scene/extract.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/check.h"
+
+namespace lampyris::scene {
+
+namespace {
+
+/// Slots whose occupant may have gained, lost or changed a component, in order.
+template <typename... Components>
+std::vector<uint32_t> slotsTouched(const ecs::World& world, ecs::Tick since) {
+    std::vector<uint32_t> slots;
+    const auto addAll = [&](const std::vector<ecs::Entity>& entities) {
+        for (const ecs::Entity e : entities) slots.push_back(e.index());
+    };
+    (addAll(world.changedSince<Components>(since)), ...);
+    (addAll(world.removedSince<Components>(since)), ...);
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    return slots;
+}
+
+bool sameContents(const SnapshotInstance& a, const SnapshotInstance& b) {
+    return a.entity == b.entity && a.mesh == b.mesh && a.material == b.material &&
+           a.objectToWorld == b.objectToWorld;
+}
+
+bool sameContents(const SnapshotLight& a, const SnapshotLight& b) {
+    return a.entity == b.entity && a.positionWorld == b.positionWorld &&
+           a.radiusMetres == b.radiusMetres && a.powerWatts == b.powerWatts &&
+           a.directionWorld == b.directionWorld && a.cosOuterCone == b.cosOuterCone &&
+           a.cosInnerCone == b.cosInnerCone;
+}
+
+/// Brings the entries of the touched slots up to date; both lists are ordered by slot. New and
+/// changed entries get `version`. True where anything changed.
+template <typename Entry, typename Make>
+bool update(std::vector<Entry>& entries, const std::vector<uint32_t>& touched, uint64_t version,
+            const Make& make) {
+    if (touched.empty()) return false;
+    std::vector<Entry> updated;
+    updated.reserve(entries.size() + touched.size());
+    bool changed = false;
+    auto old = entries.begin();
+    for (const uint32_t slot : touched) {
+        for (; old != entries.end() && old->entity.index() < slot; ++old) updated.push_back(*old);
+        const bool wasThere = old != entries.end() && old->entity.index() == slot;
+        std::optional<Entry> entry = make(slot);
+        if (wasThere && entry && sameContents(*old, *entry)) {
+            updated.push_back(*old);
+        } else if (wasThere || entry) {
+            changed = true;
+            if (entry) {
+                entry->version = version;
+                updated.push_back(*entry);
+            }
+        }
+        if (wasThere) ++old;
+    }
+    updated.insert(updated.end(), old, entries.end());
+    entries = std::move(updated);
+    return changed;
+}
+
+/// Takes over the library's values whose version is not the snapshot's. Returns their indices.
+template <typename T>
+std::vector<uint32_t> share(std::vector<Versioned<T>>& ours,
+                            const std::vector<Versioned<T>>& library) {
+    std::vector<uint32_t> replaced;
+    ours.resize(library.size());
+    for (size_t i = 0; i < library.size(); ++i) {
+        if (ours[i].version == library[i].version) continue;
+        ours[i] = library[i];
+        replaced.push_back(static_cast<uint32_t>(i));
+    }
+    return replaced;
+}
+
+/// Unit columns at right angles, right-handed; the identity where the matrix has none.
+glm::mat4 rigidPart(const glm::mat4& matrix) {
+    // In double: the squares of tiny scales are zero in float.
+    const glm::dvec3 back(matrix[2]);
+    const glm::dvec3 right = glm::cross(glm::dvec3(matrix[1]), back);
+    glm::mat4 rigid(1.0f);
+    if (glm::dot(right, right) > 0.0) {
+        const glm::dvec3 x = glm::normalize(right);
+        const glm::dvec3 z = glm::normalize(back);
+        rigid[0] = glm::vec4(glm::vec3(x), 0.0f);
+        rigid[1] = glm::vec4(glm::vec3(glm::cross(z, x)), 0.0f);
+        rigid[2] = glm::vec4(glm::vec3(z), 0.0f);
+    }
+    rigid[3] = matrix[3];
+    return rigid;
+}
+
+std::optional<SnapshotInstance> makeInstance(const ecs::World& world, const SceneSnapshot& shared,
+                                             ecs::Entity entity) {
+    const auto* drawn = world.find<MeshInstance>(entity);
+    const auto* transform = world.find<WorldTransform>(entity);
+    if (drawn == nullptr || transform == nullptr || !drawn->mesh.valid()) return std::nullopt;
+    const MaterialId material = drawn->material.valid() ? drawn->material : kDefaultMaterial;
+    CHECK(drawn->mesh.value < shared.meshes.size());
+    CHECK(material.value < shared.materials.size());
+    return SnapshotInstance{.entity = entity,
+                            .mesh = drawn->mesh.value,
+                            .material = material.value,
+                            .objectToWorld = transform->matrix};
+}
+
+std::optional<SnapshotLight> makeLight(const ecs::World& world, ecs::Entity entity) {
+    const auto* light = world.find<SphereLight>(entity);
+    const auto* transform = world.find<WorldTransform>(entity);
+    if (light == nullptr || transform == nullptr) return std::nullopt;
+    return SnapshotLight{.entity = entity,
+                         .positionWorld = glm::vec3(transform->matrix[3]),
+                         .radiusMetres = light->radiusMetres,
+                         .powerWatts = light->powerWatts,
+                         .directionWorld = -glm::vec3(rigidPart(transform->matrix)[2]),
+                         .cosOuterCone = light->cosOuterCone,
+                         .cosInnerCone = light->cosInnerCone};
+}
+
+void updateInstances(const ecs::World& world, ecs::Tick since,
+                     const std::vector<uint32_t>& replacedMeshes, SceneSnapshot& next) {
+    const uint64_t version = next.geometryVersion + 1;
+    bool changed =
+        update(next.instances, slotsTouched<MeshInstance, WorldTransform>(world, since), version,
+               [&](uint32_t slot) { return makeInstance(world, next, world.occupant(slot)); });
+    for (SnapshotInstance& instance : next.instances) {
+        if (std::binary_search(replacedMeshes.begin(), replacedMeshes.end(), instance.mesh)) {
+            instance.version = version;
+            changed = true;
+        }
+    }
+    if (!changed && replacedMeshes.empty()) return;
+    next.geometryVersion = version;
+    next.boundsWorld = {};
+    for (SnapshotInstance& instance : next.instances) {
+        if (instance.version == version) {
+            instance.boundsWorld =
+                math::transformed(next.meshes[instance.mesh].value->bounds, instance.objectToWorld);
+        }
+        next.boundsWorld.grow(instance.boundsWorld);
+    }
+}
+
+/// All of them each time: they are few, and depend on names as well.
+std::vector<SnapshotCamera> makeCameras(const ecs::World& world) {
+    std::vector<std::pair<uint32_t, SnapshotCamera>> ordered;
+    for (const auto& [entity, camera, transform] : world.view<Camera, WorldTransform>()) {
+        const auto* name = world.find<Name>(entity);
+        ordered.push_back({entity.index(),
+                           {.name = name == nullptr ? std::string() : name->value,
+                            .cameraToWorld = rigidPart(transform.matrix),
+                            .verticalFovRadians = camera.verticalFovRadians,
+                            .nearMetres = camera.nearMetres}});
+    }
+    std::sort(ordered.begin(), ordered.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<SnapshotCamera> cameras;
+    for (auto& [slot, camera] : ordered) cameras.push_back(std::move(camera));
+    return cameras;
+}
+
+}  // namespace
+
+SceneSnapshot extract(const ecs::World& world, const SceneSnapshot& previous, ecs::Tick since) {
+    SceneSnapshot next = previous;
+    const auto& library = world.resource<Library>();
+    const std::vector<uint32_t> replacedMeshes = share(next.meshes, library.meshes());
+    const bool materialsReplaced = !share(next.materials, library.materials()).empty();
+    const bool imagesReplaced = !share(next.images, library.images()).empty();
+    if (materialsReplaced || imagesReplaced) ++next.materialVersion;
+    updateInstances(world, since, replacedMeshes, next);
+    const bool lightsChanged = update(
+        next.lights, slotsTouched<SphereLight, WorldTransform>(world, since), next.lightVersion + 1,
+        [&](uint32_t slot) { return makeLight(world, world.occupant(slot)); });
+    if (lightsChanged) ++next.lightVersion;
+    next.cameras = makeCameras(world);
+    return next;
+}
+
+}  // namespace lampyris::scene
