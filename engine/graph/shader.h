@@ -20,7 +20,7 @@ enum class SlotKind : uint8_t {
 
 /// One binding of set 0. `writes` is false where the shader declares it readonly.
 struct ShaderSlot {
-    std::string_view name;
+    std::string_view name{};
     uint32_t slot = 0;
     SlotKind kind = SlotKind::StorageBuffer;
     bool reads = true;
@@ -29,9 +29,9 @@ struct ShaderSlot {
 
 /// A compiled shader, embedded at build time. Compared by address: keep one object a shader.
 struct Shader {
-    std::string_view name;  ///< "photon_gi/tile_bin_count.comp"
-    std::span<const uint32_t> words;
-    std::span<const ShaderSlot> slots;
+    std::string_view name{};  ///< "photon_gi/tile_bin_count.comp"
+    std::span<const uint32_t> words{};
+    std::span<const ShaderSlot> slots{};
     std::array<uint32_t, 3> workgroupSize{1, 1, 1};  ///< compute only
     uint32_t pushConstantBytes = 0;
 };
