@@ -166,7 +166,7 @@ TreeBuilder::TreeBuilder(TreeBuilder&&) noexcept = default;
 TreeBuilder& TreeBuilder::operator=(TreeBuilder&&) noexcept = default;
 
 core::Result<Tree> TreeBuilder::build(uint32_t count, uint32_t leafSize, const BoxOf& boxOf) {
-    CHECK(leafSize >= 1);
+    CHECK(leafSize >= 1u);
     CHECK(leafSize <= kMaxLeaf);
     if (device_->handle == nullptr)
         return core::error("Embree: no device ({})", rtcGetDeviceError(nullptr));

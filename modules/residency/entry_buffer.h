@@ -14,7 +14,7 @@ template <typename T>
 class EntryBuffer {
  public:
     /// Entries with equal keys are equal.
-    using Key = std::array<uint64_t, 3>;
+    using Key = std::array<uint64_t, 4>;
 
     EntryBuffer(Device& device, std::string name) : buffer_(device, std::move(name)) {}
 

@@ -48,7 +48,8 @@ struct SceneOnGpu::Parts {
 core::Result<void> SceneOnGpu::Parts::updateInstances(const scene::SceneSnapshot& snapshot) {
     const auto keyOf = [&](size_t i) {
         const auto& instance = snapshot.instances[i];
-        return std::array<uint64_t, 3>{instance.version, snapshot.meshes[instance.mesh].version,
+        return std::array<uint64_t, 4>{instance.version, instance.entity.bits,
+                                       snapshot.meshes[instance.mesh].version,
                                        snapshot.materials[instance.material].version};
     };
     const auto pack = [&](size_t i) {
@@ -68,7 +69,8 @@ core::Result<void> SceneOnGpu::Parts::updateInstances(const scene::SceneSnapshot
 
 core::Result<void> SceneOnGpu::Parts::updateMaterials(const scene::SceneSnapshot& snapshot) {
     const auto keyOf = [&](size_t i) {
-        return std::array<uint64_t, 3>{snapshot.materials[i].version, textures.layoutVersion(), 0};
+        return std::array<uint64_t, 4>{snapshot.materials[i].version, textures.layoutVersion(), 0,
+                                       0};
     };
     const auto pack = [&](size_t i) {
         return packMaterial(*snapshot.materials[i].value, textures.layers());
@@ -80,8 +82,8 @@ core::Result<void> SceneOnGpu::Parts::updateMaterials(const scene::SceneSnapshot
 
 core::Result<void> SceneOnGpu::Parts::updateLights(const scene::SceneSnapshot& snapshot) {
     const auto keyOf = [&](size_t i) {
-        return std::array<uint64_t, 3>{snapshot.lights[i].version, snapshot.lights[i].entity.bits,
-                                       0};
+        return std::array<uint64_t, 4>{snapshot.lights[i].version, snapshot.lights[i].entity.bits,
+                                       0, 0};
     };
     const auto pack = [&](size_t i) { return packLight(snapshot.lights[i]); };
     TRY(uploaded.lightBytes, lights.follow(snapshot.lights.size(), keyOf, pack));
@@ -184,9 +186,6 @@ SceneHandles SceneOnGpu::import(graph::Frame& frame) {
 
 const std::vector<DrawItem>& SceneOnGpu::draws() const {
     return parts_->draws;
-}
-const std::vector<shared::GpuEmitter>& SceneOnGpu::emitters() const {
-    return parts_->emitterEntries;
 }
 const UploadCounts& SceneOnGpu::lastUpload() const {
     return parts_->uploaded;

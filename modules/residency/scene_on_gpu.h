@@ -10,6 +10,7 @@
 #include "residency/scene_handles.h"
 #include "scene/snapshot.h"
 #include "shared/scene.h"
+#include "shared/scene.h"
 
 namespace lampyris::gpu {
 class Device;
@@ -51,8 +52,6 @@ class SceneOnGpu {
 
     /// What raster nodes draw, in the order of the instances.
     [[nodiscard]] const std::vector<DrawItem>& draws() const;
-    /// What SceneHandles::emitters holds, for who splits paths over the sources of light.
-    [[nodiscard]] const std::vector<shared::GpuEmitter>& emitters() const;
     [[nodiscard]] const UploadCounts& lastUpload() const;
     [[nodiscard]] uint64_t deviceBytes() const;
     [[nodiscard]] gpu::Device& device() const;
