@@ -68,6 +68,38 @@ TEST(Hazards, EveryBarrierIsNeeded) {
     EXPECT_GT(removed, 500u);
 }
 
+/// Nor may a barrier wait for less, or make less wait, than it does.
+TEST(Hazards, EveryTouchOfABarrierIsNeeded) {
+    const auto without = [](const TouchSet& touches, Touch left) {
+        TouchSet rest;
+        touches.forEach([&](Touch touch) {
+            if (!(touch == left)) rest.add(touch);
+        });
+        return rest;
+    };
+    for (uint64_t seed = 1; seed <= kFrames / 4; ++seed) {
+        const RandomFrame random(seed);
+        const auto whole = compile(random.frame);
+        ASSERT_TRUE(whole.ok());
+        CompiledGraph broken = *whole;
+        for (Step& step : broken.steps) {
+            for (Barrier& barrier : step.barriers) {
+                for (TouchSet* side : {&barrier.source, &barrier.destination}) {
+                    const TouchSet all = *side;
+                    all.forEach([&](Touch touch) {
+                        *side = without(all, touch);
+                        EXPECT_FALSE(problems(random.frame, broken).empty())
+                            << "seed " << seed << " '"
+                            << random.frame.resources()[barrier.resource].name << "' without "
+                            << name(touch.access) << " of " << describe(all);
+                    });
+                    *side = all;
+                }
+            }
+        }
+    }
+}
+
 TEST(Hazards, EveryHandoverIsNeeded) {
     uint64_t removed = 0;
     for (uint64_t seed = 1; seed <= kFrames; ++seed) {
