@@ -27,7 +27,7 @@ struct DrawnFrame {
     graph::Image radiance{};   ///< "final": RGBA16F
     graph::Buffer counters{};  ///< shared::FrameCounters; invalid where there is no indirect light
     std::vector<graph::Buffer> ledgers;  ///< a batch each
-    graph::Buffer lightReach{};            ///< metres a light, then the watts cut off
+    graph::Buffer lightReach{};          ///< metres a light, then the watts cut off
 };
 
 [[nodiscard]] DrawnFrame drawFrame(graph::Frame& frame, const FrameInputs& in,

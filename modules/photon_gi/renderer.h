@@ -50,7 +50,7 @@ class Renderer {
     };
     /// Compiles and runs a declared frame and reads its report back; grows the room where it was
     /// too small.
-    core::Result<Outcome> run(const graph::Frame& frame, const DrawnFrame& drawn,
+    core::Result<Outcome> run(graph::Frame& frame, const DrawnFrame& drawn,
                               const std::string& outputNode, graph::CompileOptions options = {});
 
     [[nodiscard]] const accel::AccelOnGpu& accel() const { return accel_; }
@@ -62,14 +62,16 @@ class Renderer {
 
  private:
     void makeRoom(const FrameRequest& request);
-    core::Result<void> grow(const shared::FrameCounters& counters);
+    /// Gives the next frame the room that this one lacked. True where something was dropped.
+    bool grow(const shared::FrameCounters& counters);
 
     execute::Executor* executor_;
     residency::SceneOnGpu scene_;
     accel::AccelOnGpu accel_;
     std::vector<photons::Emitter> emitters_;
     photons::PathSplit split_;
-    uint32_t largestBatch_ = 0xffffffffu;
+    uint32_t largestBatch_ = 0xffffffffu;  ///< paths; halved while a batch's pairs do not fit
+    uint32_t lastBatch_ = 0;               ///< the largest of the last frame
     Capacities room_;
 };
 

@@ -187,6 +187,10 @@ SceneHandles SceneOnGpu::import(graph::Frame& frame) {
 const std::vector<DrawItem>& SceneOnGpu::draws() const {
     return parts_->draws;
 }
+const std::vector<shared::GpuEmitter>& SceneOnGpu::emitters() const {
+    return parts_->emitterEntries;
+}
+
 const UploadCounts& SceneOnGpu::lastUpload() const {
     return parts_->uploaded;
 }

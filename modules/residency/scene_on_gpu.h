@@ -52,6 +52,8 @@ class SceneOnGpu {
 
     /// What raster nodes draw, in the order of the instances.
     [[nodiscard]] const std::vector<DrawItem>& draws() const;
+    /// The emissive instances as the device has them, in the order of SceneHandles::emitters.
+    [[nodiscard]] const std::vector<shared::GpuEmitter>& emitters() const;
     [[nodiscard]] const UploadCounts& lastUpload() const;
     [[nodiscard]] uint64_t deviceBytes() const;
     [[nodiscard]] gpu::Device& device() const;

@@ -1,0 +1,140 @@
+#include "photon_gi/renderer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+#include "core/check.h"
+
+#include "deferred/view.h"
+#include "photon_gi/tile_bin.h"
+#include "photons/photon_trace.h"
+#include "shared/tile_bin.h"
+
+namespace lampyris::photon_gi {
+namespace {
+
+// [chosen] First guesses; a frame that needs more reports it and the next one has it.
+constexpr uint32_t kPhotonsPerPathGuess = 4;
+constexpr uint32_t kPairsPerPhotonGuess = 64;
+constexpr uint32_t kLeastPairs = 1u << 16;
+
+/// Half as much again, in steps that keep the graph's layout from changing at every frame.
+uint32_t grown(uint32_t needed, uint32_t step, uint32_t most) {
+    const uint64_t wanted = uint64_t{needed} + needed / 2;
+    return static_cast<uint32_t>(std::min<uint64_t>((wanted + step - 1) / step * step, most));
+}
+
+std::vector<float> floats(std::span<const std::byte> bytes) {
+    std::vector<float> values(bytes.size() / sizeof(float));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+    return values;
+}
+
+/// In the order in which run() asked for the buffers.
+void readReport(const DrawnFrame& drawn, const std::vector<std::vector<std::byte>>& buffers,
+                FrameReport& report) {
+    size_t next = 0;
+    if (drawn.counters.valid())
+        std::memcpy(&report.counters, buffers[next++].data(), sizeof(report.counters));
+    const std::vector<float> reach = floats(buffers[next++]);
+    CHECK(reach.size() >= size_t{3});
+    for (int c = 0; c < 3; ++c)
+        report.cutOffWatts[c] = reach[reach.size() - 3 + static_cast<size_t>(c)];
+    while (next < buffers.size()) report.energy.add(floats(buffers[next++]));
+}
+
+}  // namespace
+
+uint32_t frameSeed(const Settings& settings, uint64_t frameNumber) {
+    if (!settings.reseed) return settings.seed;
+    // One odd multiplier each, so that neighbouring frames and seeds share nothing (the hash proper
+    // is TEA's).
+    return settings.seed * 0x9E3779B1u + static_cast<uint32_t>(frameNumber) * 0x85EBCA77u;
+}
+
+Renderer::Renderer(execute::Executor& executor)
+    : executor_(&executor), scene_(executor.device()), accel_(scene_) {}
+
+core::Result<void> Renderer::update(const scene::SceneSnapshot& snapshot) {
+    TRY_VOID(scene_.update(snapshot));
+    TRY_VOID(accel_.update(snapshot));
+    emitters_ = photons::listEmitters(snapshot.lights, scene_.emitters());
+    return {};
+}
+
+void Renderer::makeRoom(const FrameRequest& request) {
+    const Settings& s = request.settings;
+    split_ = photons::splitPaths(emitters_, s.photonPaths);
+    const uint32_t batch = std::min(s.largestBatch, largestBatch_);
+    const auto batches = photons::batchPaths(split_, s.maxBounces, batch);
+    uint32_t largest = 0;
+    for (const auto& b : batches) largest = std::max(largest, b.pathCount);
+    const uint32_t perPath = photons::photonsPerPath(split_, s.maxBounces);
+    const uint64_t guess = uint64_t{largest} * std::min(perPath, kPhotonsPerPathGuess);
+    lastBatch_ = largest;
+    room_.photons = static_cast<uint32_t>(
+        std::clamp<uint64_t>(guess, std::max(room_.photons, 64u), photons::kMaxPhotonCapacity));
+    const uint64_t pairGuess =
+        std::max<uint64_t>(uint64_t{room_.photons} * kPairsPerPhotonGuess, kLeastPairs);
+    room_.pairs =
+        static_cast<uint32_t>(std::clamp<uint64_t>(pairGuess, room_.pairs, kMaxPairCapacity));
+}
+
+DrawnFrame Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
+    makeRoom(request);
+    FrameInputs in;
+    in.scene = residency::importScene(frame, scene_);
+    in.accel = accel::importAccel(frame, accel_);
+    in.draws = scene_.draws();
+    in.paths = split_;
+    in.view = deferred::makeView(request.camera, request.size);
+    in.seed = frameSeed(request.settings, request.frameNumber);
+    Settings settings = request.settings;
+    settings.largestBatch = std::min(settings.largestBatch, largestBatch_);
+    return drawFrame(frame, in, settings, room_);
+}
+
+bool Renderer::grow(const shared::FrameCounters& counters) {
+    if (counters.photonsDropped > 0)
+        room_.photons = grown(counters.photonsNeeded, 64, photons::kMaxPhotonCapacity);
+    if (counters.pairsDropped > 0) {
+        // Lists that cannot hold a batch get smaller batches.
+        if (counters.pairsNeeded > kMaxPairCapacity)
+            largestBatch_ = std::max(1u, std::min(largestBatch_, lastBatch_) / 2);
+        room_.pairs = grown(counters.pairsNeeded, shared::SORT_BLOCK, kMaxPairCapacity);
+    }
+    return counters.photonsDropped > 0 || counters.pairsDropped > 0;
+}
+
+core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFrame& drawn,
+                                              const std::string& outputNode,
+                                              graph::CompileOptions options) {
+    execute::RunOptions runOptions;
+    if (!outputNode.empty()) {
+        const graph::Image image = frame.published(outputNode);
+        if (!image.valid())
+            return core::error("--output-node {}: there is no such image; there are {}", outputNode,
+                               fmt::join(frame.publishedNames(), ", "));
+        options.extraOutputs.push_back(image);
+        runOptions.readBackImages.push_back(image);
+    }
+    if (drawn.counters.valid()) runOptions.readBackBuffers.push_back(drawn.counters);
+    runOptions.readBackBuffers.push_back(drawn.lightReach);
+    runOptions.readBackBuffers.insert(runOptions.readBackBuffers.end(), drawn.ledgers.begin(),
+                                      drawn.ledgers.end());
+    for (const graph::Buffer buffer : runOptions.readBackBuffers) frame.output(buffer);
+
+    Outcome outcome;
+    options.memory = &executor_->memoryModel();
+    TRY(outcome.graph, graph::compile(frame, options));
+    TRY(auto result, executor_->run(frame, outcome.graph, runOptions));
+    outcome.statistics = std::move(result.statistics);
+    if (!result.images.empty()) outcome.image = execute::toImage(result.images.front());
+    readReport(drawn, result.buffers, outcome.report);
+    outcome.report.paths = split_.paths;
+    outcome.report.valid = !grow(outcome.report.counters);
+    return outcome;
+}
+
+}  // namespace lampyris::photon_gi
