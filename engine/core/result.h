@@ -70,7 +70,7 @@ class [[nodiscard]] Result<void> {
     auto LAMPYRIS_JOIN(tryResult, __LINE__) = (expression); \
     if (!LAMPYRIS_JOIN(tryResult, __LINE__).ok())           \
         return LAMPYRIS_JOIN(tryResult, __LINE__).error();  \
-    declaration = std::move(LAMPYRIS_JOIN(tryResult, __LINE__)).value()
+    declaration = std::move(LAMPYRIS_JOIN(tryResult, __LINE__)).value()  // NOLINT(bugprone-macro-parentheses)
 
 /// TRY_VOID(f()): go on where f() succeeded, or return its error from this function.
 #define TRY_VOID(expression)                                   \

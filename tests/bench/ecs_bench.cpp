@@ -36,7 +36,7 @@ World makeWorld() {
 }
 
 void create(benchmark::State& state) {
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         World world;
         for (uint32_t i = 0; i < kEntities; ++i) benchmark::DoNotOptimize(world.create());
     }
@@ -44,7 +44,7 @@ void create(benchmark::State& state) {
 }
 
 void add(benchmark::State& state) {
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         state.PauseTiming();
         World world;
         std::vector<Entity> entities(kEntities);
@@ -57,7 +57,7 @@ void add(benchmark::State& state) {
 
 void iterateOne(benchmark::State& state) {
     const World world = makeWorld();
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         float sum = 0.0f;
         for (const auto& [e, position] : world.view<Position>()) sum += position.x;
         benchmark::DoNotOptimize(sum);
@@ -67,7 +67,7 @@ void iterateOne(benchmark::State& state) {
 
 void iterateTwo(benchmark::State& state) {
     const World world = makeWorld();
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         float sum = 0.0f;
         world.view<Position, Velocity>().each(
             [&](Entity, const Position& p, const Velocity& v) { sum += p.x * v.x; });
@@ -80,7 +80,7 @@ void runSystem(benchmark::State& state) {
     World world = makeWorld();
     Schedule schedule;
     schedule.add("move", [](Write<Position> p, Read<Velocity> v) { p->x += v->x; });
-    for (auto _ : state) schedule.run(world);
+    while (state.KeepRunning()) schedule.run(world);
     state.SetItemsProcessed(static_cast<int64_t>(state.iterations()) * kEntities / 2);
 }
 
@@ -88,7 +88,7 @@ void getAtRandom(benchmark::State& state) {
     const World world = makeWorld();
     std::vector<Entity> entities = world.entities();
     std::shuffle(entities.begin(), entities.end(), std::mt19937(1));
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         float sum = 0.0f;
         for (const Entity e : entities) sum += world.get<Position>(e).x;
         benchmark::DoNotOptimize(sum);
@@ -99,7 +99,7 @@ void getAtRandom(benchmark::State& state) {
 void findTenChanges(benchmark::State& state) {
     World world = makeWorld();
     const std::vector<Entity> entities = world.entities();
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         const Tick since = world.advance();
         for (uint32_t i = 0; i < 10; ++i)
             world.edit<Position>(entities[i * (kEntities / 10)]).x = 1.0f;
@@ -108,7 +108,7 @@ void findTenChanges(benchmark::State& state) {
 }
 
 void removeComponents(benchmark::State& state) {
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         state.PauseTiming();
         World world = makeWorld();
         const std::vector<Entity> entities = world.entities();
@@ -122,7 +122,7 @@ void removeComponents(benchmark::State& state) {
 }
 
 void destroy(benchmark::State& state) {
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         state.PauseTiming();
         World world = makeWorld();
         const std::vector<Entity> entities = world.entities();
