@@ -53,7 +53,7 @@ core::Result<Model> readModel(std::span<const uint8_t> bytes,
 
     GltfSource source{std::move(document), std::move(images), std::move(buffers), folder, context};
     Model model;
-    model.name = context.name();
+    model.name = std::filesystem::path(context.name()).filename().string();
     TRY(const auto needs, readMaterials(source, model));
     TRY(const auto primitives, readMeshes(source, needs, model));
     TRY_VOID(readNodes(source, primitives, model));

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/gltf_builder.h"
+
+namespace lampyris::test {
+namespace {
+
+/// A triangle that moves: one sampler with these keys, one channel.
+GltfBuilder animated(const std::vector<float>& times, const std::vector<float>& values,
+                     const char* type, const char* path, const char* interpolation) {
+    GltfBuilder builder = GltfBuilder::triangle();
+    builder.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}, {{"POSITION", 0}}};
+    const int input = builder.addFloats(times, "SCALAR");
+    const int output = builder.addFloats(values, type);
+    builder.push(
+        "animations",
+        {{"name", "swing"},
+         {"samplers", {{{"input", input}, {"output", output}, {"interpolation", interpolation}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", path}}}}}}});
+    return builder;
+}
+
+TEST(GltfAnimation, LinearKeysAreKept) {
+    const assets::Model model =
+        animated({0.5f, 2}, {1, 2, 3, 4, 5, 6}, "VEC3", "translation", "LINEAR").model();
+    ASSERT_EQ(model.animations.size(), 1u);
+    const assets::Animation& animation = model.animations[0];
+    EXPECT_EQ(animation.name, "swing");
+    EXPECT_EQ(animation.durationSeconds, 2.0f);
+    EXPECT_EQ(animation.channels.at(0).property, assets::AnimatedProperty::Translation);
+    EXPECT_EQ(animation.samplers.at(0).times, (std::vector<float>{0.5f, 2}));
+    EXPECT_EQ(animation.samplers.at(0).values, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(animation.samplers.at(0).components, 3u);
+}
+
+TEST(GltfAnimation, CubicSplinesHaveThreeValuesAKey) {
+    const std::vector<float> values(24, 0.5f);
+    const assets::Model model = animated({0, 1}, values, "VEC4", "rotation", "CUBICSPLINE").model();
+    EXPECT_EQ(model.animations.at(0).samplers.at(0).interpolation,
+              assets::Interpolation::CubicSpline);
+    EXPECT_EQ(model.animations.at(0).samplers.at(0).components, 4u);
+}
+
+TEST(GltfAnimation, WeightsHaveAFloatATarget) {
+    const assets::Model model = animated({0, 1}, {0, 1, 1, 0}, "SCALAR", "weights", "STEP").model();
+    EXPECT_EQ(model.animations.at(0).samplers.at(0).components, 2u);
+    EXPECT_EQ(model.animations.at(0).samplers.at(0).interpolation, assets::Interpolation::Step);
+}
+
+TEST(GltfAnimation, WhatMakesNoSenseIsLeftOutWithAWarning) {
+    const std::vector<std::pair<GltfBuilder, const char*>> cases = {
+        {animated({1, 1}, {0, 0, 0, 0, 0, 0}, "VEC3", "scale", "LINEAR"),
+         "/animations/0/samplers/0: key 1 is at 1 s and not after the one before"},
+        {animated({0, 1}, {0, 0, 0}, "VEC3", "scale", "LINEAR"), "has 1 values for 2 keys"},
+        {animated({0}, {0, 0, NAN}, "VEC3", "scale", "LINEAR"), "a value is not finite"},
+        {animated({0}, {0, 0, 0}, "VEC3", "scale", "SMOOTH"), "unknown interpolation SMOOTH"},
+        {animated({0}, {0, 0, 0}, "VEC3", "rotation", "LINEAR"), "does not fit rotation of node 0"},
+        {animated({0}, {0, 0, 0}, "VEC3", "colour", "LINEAR"), "does not fit colour of node 0"},
+        {animated({0}, {1, 1, 1}, "SCALAR", "weights", "LINEAR"),
+         "does not fit weights of node 0"}};
+    for (const auto& [builder, message] : cases) {
+        assets::Model model;
+        const std::string log = logOf([&, &bent = builder] { model = bent.model(); });
+        EXPECT_NE(log.find(message), std::string::npos) << log;
+        EXPECT_TRUE(model.animations.empty());
+    }
+}
+
+}  // namespace
+}  // namespace lampyris::test
