@@ -1,0 +1,82 @@
+#include "frame_loop.h"
+
+#include "scene/extract.h"
+#include "scene/load.h"
+#include "scene/systems/world_transforms.h"
+
+namespace lampyris::sandbox {
+namespace {
+
+constexpr int kMostTries =
+    12;  // [chosen] buffers grow by half at least: past it the device cannot hold them
+
+std::string listCameras(const scene::SceneSnapshot& snapshot) {
+    std::string names;
+    for (const auto& camera : snapshot.cameras)
+        names += fmt::format("{}'{}'", names.empty() ? "" : ", ", camera.name);
+    return names;
+}
+
+core::Error overflow(const shared::FrameCounters& counters) {
+    return core::error(
+        "a frame does not fit: {} photons and {} tile entries were dropped after {} tries",
+        counters.photonsDropped, counters.pairsDropped, kMostTries);
+}
+
+}  // namespace
+
+core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options, bool presentable) {
+    auto loop = std::make_unique<FrameLoop>();
+    TRY(loop->device_, gpu::Device::create({options.device, options.validation, presentable}));
+    TRY(execute::Executor executor, execute::Executor::create(*loop->device_));
+    loop->executor_.emplace(std::move(executor));
+    TRY(loop->world_, scene::loadScene(options.scene));
+    loop->renderer_.emplace(*loop->executor_);
+    loop->request.size = sizeOf(options);
+    loop->request.settings = settingsOf(options);
+    TRY_VOID(loop->follow());
+    TRY_VOID(loop->chooseCamera(options.camera));
+    return loop;
+}
+
+core::Result<void> FrameLoop::follow() {
+    scene::updateWorldTransforms(world_, seen_);
+    snapshot_ = scene::extract(world_, snapshot_, seen_);
+    seen_ = world_.advance();
+    return renderer_->update(snapshot_);
+}
+
+core::Result<void> FrameLoop::chooseCamera(const std::string& name) {
+    for (const auto& camera : snapshot_.cameras) {
+        if (!name.empty() && camera.name != name) continue;
+        request.camera = camera;
+        return {};
+    }
+    return core::error("--camera {}: the scene has no such camera; it has {}", name,
+                       listCameras(snapshot_));
+}
+
+core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, const std::string& outputNode) {
+    LoopFrame frame;
+    request.frameNumber = frameNumber;
+    const photon_gi::DrawnFrame drawn = renderer_->declare(frame.declared, request);
+    TRY(frame.outcome, renderer_->run(frame.declared, drawn, outputNode));
+    return frame;
+}
+
+core::Result<LoopFrame> FrameLoop::draw(uint64_t frameNumber, const std::string& outputNode) {
+    TRY_VOID(follow());
+    const accel::AccelCounts counts = renderer_->accel().counts();
+    shared::FrameCounters last{};
+    for (int i = 0; i < kMostTries; ++i) {
+        TRY(LoopFrame frame, tryDraw(frameNumber, outputNode));
+        last = frame.outcome.report.counters;
+        if (!frame.outcome.report.valid) continue;
+        frame.rebuilds = counts.rebuilds;
+        frame.rebuildMilliseconds = counts.buildMilliseconds;
+        return frame;
+    }
+    return overflow(last);
+}
+
+}  // namespace lampyris::sandbox

@@ -1,0 +1,56 @@
+/// \file The device, the scene and the renderer of one run, and its frames one after the other.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ecs/world.h"
+#include "execute/executor.h"
+#include "gpu/device.h"
+#include "options.h"
+#include "photon_gi/renderer.h"
+#include "scene/snapshot.h"
+
+namespace lampyris::sandbox {
+
+/// A frame that was drawn whole.
+struct LoopFrame {
+    graph::Frame declared;
+    photon_gi::Renderer::Outcome outcome;
+    uint32_t rebuilds = 0;  ///< of bottom-level BVHs, for this frame
+    double rebuildMilliseconds = 0.0;
+};
+
+class FrameLoop {
+ public:
+    /// Errors name the device, scene or camera that is missing.
+    static core::Result<std::unique_ptr<FrameLoop>> open(const Options& options,
+                                                         bool presentable = false);
+
+    /// Draws one frame, and again where a buffer was too small, until it is whole.
+    /// `outputNode` names the image to be read back; empty for none.
+    core::Result<LoopFrame> draw(uint64_t frameNumber, const std::string& outputNode);
+    /// One try of draw(): `outcome.report.valid` tells whether it is whole.
+    core::Result<LoopFrame> tryDraw(uint64_t frameNumber, const std::string& outputNode);
+
+    /// What the next frames are drawn with.
+    photon_gi::FrameRequest request;
+
+    [[nodiscard]] gpu::Device& device() { return *device_; }
+    [[nodiscard]] execute::Executor& executor() { return *executor_; }
+    [[nodiscard]] photon_gi::Renderer& renderer() { return *renderer_; }
+    [[nodiscard]] ecs::World& world() { return world_; }
+
+ private:
+    core::Result<void> follow();
+    core::Result<void> chooseCamera(const std::string& name);
+
+    std::unique_ptr<gpu::Device> device_;
+    std::optional<execute::Executor> executor_;
+    std::optional<photon_gi::Renderer> renderer_;
+    ecs::World world_;
+    scene::SceneSnapshot snapshot_;
+    ecs::Tick seen_ = 0;
+};
+
+}  // namespace lampyris::sandbox

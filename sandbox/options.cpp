@@ -1,0 +1,210 @@
+#include "options.h"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace lampyris::sandbox {
+namespace {
+
+using photon_gi::Pipeline;
+
+constexpr graph::Extent kDefaultSize{1280, 720};
+constexpr uint32_t kMaxSide = 65535;   // what two 16-bit halves of a pixel's address hold
+constexpr uint32_t kMaxBounces = 255;  // [chosen] far past what roulette lets live
+constexpr uint32_t kMaxGatherDivisor = 16;
+
+const std::map<std::string, Pipeline> kPipelines{
+    {"full", Pipeline::Full}, {"thesis", Pipeline::Thesis}, {"direct", Pipeline::Direct}};
+const std::map<std::string, Quality> kQualities{{"fast", Quality::Fast}, {"fine", Quality::Fine}};
+const std::map<std::string, core::Tonemap> kTonemaps{{"clip", core::Tonemap::Clip},
+                                                     {"filmic", core::Tonemap::Filmic}};
+const std::map<std::string, bool> kSwitch{{"on", true}, {"off", false}};
+
+/// What follows from cost, in `full`.
+struct Preset {
+    uint32_t photons;
+    float radiusMetres;
+    uint32_t gatherDivisor;
+};
+constexpr Preset kFast{1000, 1.0f, 2};
+constexpr Preset kFine{100000, 0.25f,
+                       1};  // [chosen] noise and blur of a still picture, in seconds a frame
+
+template <typename T>
+std::string namesOf(const std::map<std::string, T>& choices) {
+    std::string names;
+    for (const auto& [name, value] : choices) names += (names.empty() ? "" : "|") + name;
+    return names;
+}
+
+/// One of a few words.
+template <typename T>
+CLI::Option* addChoice(CLI::App& app, const std::string& flag, T& target,
+                       const std::map<std::string, T>& choices, const std::string& help) {
+    const auto choose = [&target, &choices, flag](const std::string& word) {
+        const auto found = choices.find(word);
+        if (found == choices.end())
+            throw CLI::ValidationError(flag,
+                                       fmt::format("'{}' is none of {}", word, namesOf(choices)));
+        target = found->second;
+    };
+    return app.add_option_function<std::string>(flag, choose, help)->type_name(namesOf(choices));
+}
+
+std::optional<uint32_t> parseSide(std::string_view text) {
+    uint32_t side = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), side);
+    if (code != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    if (side < 1 || side > kMaxSide) return std::nullopt;
+    return side;
+}
+
+graph::Extent parseSize(const std::string& text) {
+    const size_t cross = text.find('x');
+    if (cross != std::string::npos) {
+        const auto width = parseSide(std::string_view{text}.substr(0, cross));
+        const auto height = parseSide(std::string_view{text}.substr(cross + 1));
+        if (width && height) return {*width, *height};
+    }
+    throw CLI::ValidationError(
+        "--size", fmt::format("'{}' is not WxH with both from 1 to {}", text, kMaxSide));
+}
+
+/// A finite number from `least` to `most`; NaN is in no range.
+CLI::Validator finite(double least, double most) {
+    const auto check = [least, most](std::string& text) -> std::string {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return {};
+        return fmt::format("'{}' is not a number from {} to {}", text, least, most);
+    };
+    return CLI::Validator(check, "NUMBER");
+}
+
+core::Result<void> checkTarget(const std::filesystem::path& path) {
+    if (path.empty()) return {};
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    std::error_code code;
+    if (!std::filesystem::is_directory(folder, code))
+        return core::error("{}: there is no folder {}", path.string(), folder.string());
+    if (std::filesystem::is_directory(path, code))
+        return core::error("{}: is a folder, not a file", path.string());
+    if (::access(folder.c_str(), W_OK) != 0)
+        return core::error("{}: the folder {} cannot be written", path.string(), folder.string());
+    return {};
+}
+
+bool endsIn(const std::filesystem::path& path, std::initializer_list<const char*> endings) {
+    for (const char* ending : endings)
+        if (path.extension() == ending) return true;
+    return path.empty();
+}
+
+}  // namespace
+
+void addFrameOptions(CLI::App& app, Options& o) {
+    app.add_option_function<std::string>(
+           "--size", [&o](const std::string& text) { o.size = parseSize(text); },
+           "pixels (1280x720)")
+        ->type_name("WxH");
+    app.add_option("--frames", o.frames, "frames measured (1)")->check(CLI::Range(1u, 1000000u));
+    app.add_option("--warmup", o.warmup, "frames drawn before them (0)")
+        ->check(CLI::Range(0u, 1000000u));
+    addChoice(app, "--pipeline", o.pipeline, kPipelines,
+              "full, the yardstick thesis, or direct light alone (full)");
+    addChoice(app, "--quality", o.quality, kQualities,
+              "preset of full for --photons, --radius and --gather-divisor (fast)");
+    app.add_option("--photons", o.photons, "paths emitted a frame (1000; fine 100000)")
+        ->check(CLI::Range(1u, 0xffffffffu));
+    app.add_option("--radius", o.radius, "metres that a photon reaches (1.0; fine 0.25)")
+        ->check(finite(1e-6, 1e6));
+    app.add_option("--max-bounces", o.maxBounces,
+                   "a path hits at most one surface more; 0 is direct light (full 8, thesis 1)")
+        ->check(CLI::Range(0u, kMaxBounces));
+    app.add_option("--gather", o.gather, "how indirect light is looked up: tiles (tiles)")
+        ->type_name("tiles|final")
+        ->check(CLI::IsMember({"tiles", "final"}));
+    app.add_option("--gather-divisor", o.gatherDivisor, "low resolution, an axis (2; fine 1)")
+        ->check(CLI::Range(1u, kMaxGatherDivisor));
+    app.add_option("--history", o.history, "frames kept: 0, as there is no history yet (0)");
+    addChoice(app, "--reseed", o.reseed, kSwitch, "draw a frame's paths anew every frame (on)");
+    app.add_option("--retrace", o.retrace, "whether paths that cannot have changed are kept (auto)")
+        ->type_name("auto|all")
+        ->check(CLI::IsMember({"auto", "all"}));
+    app.add_option("--light-cutoff", o.lightCutoff,
+                   "share of the mean direct irradiance under which a light's reach ends (0.001)")
+        ->check(finite(0.0, 1e6));
+    app.add_option("--seed", o.seed, "of all random numbers (1)");
+    app.add_flag("--validation", o.validation, "Vulkan core and synchronization validation");
+    app.add_option("--device", o.device, "part of the device's name (the best there is)")
+        ->type_name("SUBSTRING");
+}
+
+void addPictureOptions(CLI::App& app, Options& o) {
+    app.add_option("--camera", o.camera, "by name (the first)")->type_name("NAME");
+    app.add_option("--time", o.time, "seconds, of the first frame (0)")->check(finite(-1e6, 1e6));
+    app.add_option("--timestep", o.timestep, "seconds a frame (0; in view 1/60)")
+        ->check(finite(0.0, 1e6));
+    app.add_option("--exposure", o.display.exposureEv, "EV; display only (0)")
+        ->check(finite(-100.0, 100.0));
+    addChoice(app, "--tonemap", o.display.tonemap, kTonemaps, "display only (clip)");
+    app.add_option("--report", o.report, "write measurements")->type_name("FILE.json");
+    app.add_option("--graph", o.graph, "write the render graph")->type_name("FILE.(dot|json)");
+    app.add_option("--trace", o.trace, "write times in Chrome's trace format")
+        ->type_name("FILE.json");
+}
+
+core::Result<void> checkCall(const Options& o) {
+    if (o.pipeline == Pipeline::Thesis && o.maxBounces.value_or(1) > 1)
+        return core::error("--pipeline thesis has one bounce; --max-bounces {} needs full",
+                           *o.maxBounces);
+    if (o.gather == "final") return core::error("--gather final is not available; tiles is");
+    if (o.history > 0) return core::error("--history {}: there is no history yet", o.history);
+    if (!endsIn(o.output, {".png", ".exr"}))
+        return core::error("--output {}: the file must end in .png or .exr", o.output.string());
+    if (!endsIn(o.graph, {".dot", ".json"}))
+        return core::error("--graph {}: the file must end in .dot or .json", o.graph.string());
+    if (!endsIn(o.report, {".json"}))
+        return core::error("--report {}: the file must end in .json", o.report.string());
+    if (!endsIn(o.trace, {".json"}))
+        return core::error("--trace {}: the file must end in .json", o.trace.string());
+    return {};
+}
+
+core::Result<void> checkOutputs(const Options& o) {
+    for (const auto& path : {o.output, o.report, o.graph, o.trace}) TRY_VOID(checkTarget(path));
+    return {};
+}
+
+photon_gi::Settings settingsOf(const Options& o) {
+    const bool thesis = o.pipeline == Pipeline::Thesis;
+    const Preset preset = !thesis && o.quality == Quality::Fine ? kFine : kFast;
+    photon_gi::Settings s;
+    s.pipeline = o.pipeline;
+    s.photonPaths = o.photons.value_or(preset.photons);
+    s.radiusMetres = o.radius.value_or(preset.radiusMetres);
+    s.gatherDivisor = o.gatherDivisor.value_or(preset.gatherDivisor);
+    s.maxBounces = o.maxBounces.value_or(thesis ? 1 : 8);
+    s.lightCutoff = o.lightCutoff;
+    s.seed = o.seed;
+    s.reseed = o.reseed;
+    return s;
+}
+
+graph::Extent sizeOf(const Options& o) {
+    return o.size.value_or(kDefaultSize);
+}
+
+const char* name(Pipeline pipeline) {
+    for (const auto& [word, value] : kPipelines)
+        if (value == pipeline) return word.c_str();
+    return "";
+}
+
+const char* name(Quality quality) {
+    return quality == Quality::Fine ? "fine" : "fast";
+}
+
+}  // namespace lampyris::sandbox

@@ -1,0 +1,62 @@
+/// \file What a user may ask for on the command line, and what a frame makes of it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/display.h"
+#include "core/result.h"
+#include "graph/resource.h"
+#include "photon_gi/settings.h"
+
+namespace lampyris::sandbox {
+
+enum class Quality : uint8_t { Fast, Fine };
+
+/// Empty where the default hangs on the pipeline, the quality or the call.
+struct Options {
+    std::string scene;
+    std::optional<graph::Extent> size;  ///< pixels
+    std::optional<uint32_t> frames, warmup;
+    photon_gi::Pipeline pipeline = photon_gi::Pipeline::Full;
+    Quality quality = Quality::Fast;
+    std::optional<uint32_t> photons, maxBounces, gatherDivisor;
+    std::optional<float> radius;  ///< metres
+    std::string gather = "tiles";
+    uint32_t history = 0;
+    bool reseed = true;
+    std::string retrace = "auto";
+    float lightCutoff = 0.001f;
+    std::string camera;
+    double time = 0.0;               ///< seconds
+    std::optional<double> timestep;  ///< seconds
+    uint32_t seed = 1;
+    core::DisplayTransform display;
+    std::string outputNode = "final";
+    std::filesystem::path output, report, graph, trace;
+    bool validation = false;
+    std::string device;
+};
+
+/// Options of every call that draws frames. They write to `options`, which must outlive `app`'s
+/// parsing.
+void addFrameOptions(CLI::App& app, Options& options);
+/// --camera, --exposure, --tonemap, --time, --timestep, --report, --graph, --trace.
+void addPictureOptions(CLI::App& app, Options& options);
+
+/// What the options ask for together and cannot have: a wrong call.
+core::Result<void> checkCall(const Options& options);
+/// Whether the files that the options name can be written, before anything is drawn.
+core::Result<void> checkOutputs(const Options& options);
+
+[[nodiscard]] photon_gi::Settings settingsOf(const Options& options);
+[[nodiscard]] graph::Extent sizeOf(const Options& options);
+
+[[nodiscard]] const char* name(photon_gi::Pipeline pipeline);
+[[nodiscard]] const char* name(Quality quality);
+
+}  // namespace lampyris::sandbox

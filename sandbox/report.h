@@ -1,0 +1,25 @@
+/// \file report.json, as DESIGN.md has it.
+#pragma once
+
+#include <string>
+
+#include "frame_loop.h"
+#include "frame_series.h"
+
+namespace lampyris::sandbox {
+
+/// What the measured frames of a run left.
+struct Measured {
+    FrameSeries series;
+    LoopFrame last;
+    uint64_t rebuilds = 0;
+    std::vector<double> rebuildMilliseconds;  ///< a frame that rebuilt, each
+
+    void add(LoopFrame frame);
+};
+
+/// Pretty-printed JSON text.
+[[nodiscard]] std::string makeReport(const Options& options, FrameLoop& loop,
+                                     const Measured& measured);
+
+}  // namespace lampyris::sandbox
