@@ -24,8 +24,8 @@ struct RunOptions {
     bool timed = true;
     /// Read after the timed range, and after the wall time was taken. What is read must be an
     /// output of the frame, imported, or a history image.
-    std::vector<graph::Image> readBackImages;
-    std::vector<graph::Buffer> readBackBuffers;
+    std::vector<graph::Image> readBackImages{};
+    std::vector<graph::Buffer> readBackBuffers{};
 };
 
 struct FrameResult {

@@ -26,6 +26,7 @@ gpu::ImageOptions imageOptionsOf(const graph::ImageDesc& desc, VkImageUsageFlags
     return {.format = formatOf(desc.format),
             .extent = {desc.extent.width, desc.extent.height},
             .layers = desc.layers,
+            .array = desc.array,
             .usage = usage,
             .name = name};
 }

@@ -18,7 +18,7 @@ namespace lampyris::gpu {
 struct BufferOptions {
     uint64_t bytes = 0;  ///< 0 is made 16, as Vulkan has no empty buffers
     MemoryUse memory = MemoryUse::Device;
-    std::string name;
+    std::string name{};
 };
 
 /// A buffer that may be used for everything: storage, uniform, texels, vertices, indices, indirect

@@ -24,8 +24,8 @@ struct SpecialisationValue {
 struct ComputePipelineOptions {
     VkShaderModule module = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
-    std::span<const SpecialisationValue> specialisation;
-    std::string name;
+    std::span<const SpecialisationValue> specialisation{};
+    std::string name{};
 };
 
 core::Result<Pipeline> createComputePipeline(Device& device, const ComputePipelineOptions& options);

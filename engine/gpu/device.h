@@ -17,7 +17,7 @@
 namespace lampyris::gpu {
 
 struct DeviceOptions {
-    std::string substring;     ///< part of the device's name, any case; empty: the best there is
+    std::string substring{};   ///< part of the device's name, any case; empty: the best there is
     bool validation = false;   ///< core and synchronization validation
     bool presentable = false;  ///< able to show images in a window
 };

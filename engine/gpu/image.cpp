@@ -23,6 +23,17 @@ VkImageCreateInfo createInfo(const ImageOptions& options) {
     return info;
 }
 
+core::Result<void> checkFormat(const Device& device, const ImageOptions& options) {
+    VkImageFormatProperties properties{};
+    const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
+        device.physical(), options.format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL, options.usage,
+        0, &properties);
+    if (result == VK_SUCCESS) return {};
+    return core::error("image {}: VkFormat {} cannot be used as usage {:#x} asks ({})",
+                       options.name, static_cast<int>(options.format), options.usage,
+                       resultName(result));
+}
+
 core::Result<void> checkLimits(const Device& device, const ImageOptions& options) {
     const VkPhysicalDeviceLimits& limits = device.limits().core;
     const uint32_t side = std::max(options.extent.width, options.extent.height);
@@ -49,6 +60,7 @@ Image& Image::operator=(Image&& other) noexcept {
 
 core::Result<Image> Image::createUnbound(Device& device, const ImageOptions& options) {
     TRY_VOID(checkLimits(device, options));
+    TRY_VOID(checkFormat(device, options));
     Image image;
     image.device_ = &device;
     image.options_ = options;

@@ -18,7 +18,7 @@ struct ImageOptions {
     uint32_t layers = 1;
     bool array = false;  ///< seen by shaders as an array even with one layer
     VkImageUsageFlags usage = 0;
-    std::string name;
+    std::string name{};
 };
 
 class Image {

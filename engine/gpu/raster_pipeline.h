@@ -18,14 +18,14 @@ struct RasterPipelineOptions {
     VkShaderModule vertex = VK_NULL_HANDLE;
     VkShaderModule fragment = VK_NULL_HANDLE;  ///< null: depth only
     VkPipelineLayout layout = VK_NULL_HANDLE;
-    std::span<const VkVertexInputBindingDescription> streams;
-    std::span<const VkVertexInputAttributeDescription> attributes;
-    std::span<const VkFormat> colours;
+    std::span<const VkVertexInputBindingDescription> streams{};
+    std::span<const VkVertexInputAttributeDescription> attributes{};
+    std::span<const VkFormat> colours{};
     VkFormat depth = VK_FORMAT_UNDEFINED;
     bool depthTest = true;  ///< greater or equal passes
     bool depthWrite = true;
     bool lines = false;
-    std::string name;
+    std::string name{};
 };
 
 core::Result<Pipeline> createRasterPipeline(Device& device, const RasterPipelineOptions& options);
