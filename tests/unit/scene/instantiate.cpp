@@ -1,0 +1,163 @@
+#include "scene/instantiate.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/extract.h"
+#include "scene/systems/world_transforms.h"
+
+namespace lampyris::scene {
+namespace {
+
+assets::Mesh triangle(const std::string& name) {
+    assets::Mesh mesh;
+    mesh.name = name;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.normals.assign(3, {0, 0, 1});
+    mesh.indices = {0, 1, 2};
+    assets::updateBounds(mesh);
+    return mesh;
+}
+
+assets::ModelNode node(const std::string& name, std::vector<uint32_t> children = {}) {
+    assets::ModelNode result;
+    result.name = name;
+    result.children = std::move(children);
+    return result;
+}
+
+/// a { b { two primitives }, c { one primitive, camera } }, d { point light }; e is in no scene.
+assets::Model sample() {
+    assets::Model model;
+    model.meshes = {triangle("m0"), triangle("m1"), triangle("m2"), triangle("unused")};
+    model.images.resize(2);
+    model.materials.resize(2);
+    model.materials[1].baseColourTexture.image = 1;
+    model.cameras = {{"wide", 1.0f, 0.5f}};
+    model.lights.resize(1);
+    model.lights[0].name = "lamp";
+    model.lights[0].colour = {1.0f, 0.5f, 0.0f};
+    model.lights[0].intensity = 10.0f;
+    model.nodes = {node("a", {1, 2}), node("b"), node("c"), node(""), node("e")};
+    model.nodes[0].translation = {0, 1, 0};
+    model.nodes[1].primitives = {{0, 0}, {1, 1}};
+    model.nodes[1].translation = {2, 0, 0};
+    model.nodes[1].parent = model.nodes[2].parent = 0;
+    model.nodes[2].primitives = {{2, 1}};
+    model.nodes[2].camera = 0;
+    model.nodes[3].light = 0;
+    model.nodes[4].primitives = {{3, 0}};
+    model.roots = {0, 3};
+    return model;
+}
+
+ecs::Entity named(const ecs::World& world, const std::string& name) {
+    for (const auto& [entity, value] : world.view<Name>()) {
+        if (value.value == name) return entity;
+    }
+    ADD_FAILURE() << "no entity " << name;
+    return {};
+}
+
+class Instantiate : public testing::Test {
+ protected:
+    Instantiate() { world.setResource(Library{}); }
+    void load(assets::Model model) {
+        testing::internal::CaptureStderr();
+        instantiate(world, std::move(model), "file.glb");
+        warnings = testing::internal::GetCapturedStderr();
+        updateWorldTransforms(world);
+    }
+    ecs::World world;
+    std::string warnings;
+};
+
+TEST_F(Instantiate, NodesBecomeAHierarchyWithTheirMeshes) {
+    load(sample());
+    const ecs::Entity a = named(world, "a");
+    const ecs::Entity b = named(world, "b");
+    const ecs::Entity c = named(world, "c");
+    EXPECT_EQ(ecs::parentOf(world, b), a);
+    EXPECT_EQ(ecs::parentOf(world, c), a);
+    EXPECT_FALSE(world.has<MeshInstance>(b));
+    ASSERT_EQ(ecs::childrenOf(world, b).size(), 2u);
+    const ecs::Entity part = ecs::childrenOf(world, b)[1];
+    EXPECT_EQ(glm::vec3(world.get<WorldTransform>(part).matrix[3]), glm::vec3(2, 1, 0));
+    EXPECT_TRUE(world.has<MeshInstance>(c));
+    EXPECT_EQ(world.get<Camera>(c).verticalFovRadians, 1.0f);
+    EXPECT_EQ(world.count<MeshInstance>(), 3u);
+    EXPECT_EQ(world.resource<Library>().meshes().size(), 3u);
+    const SceneSnapshot snapshot = extract(world, {}, 0);
+    ASSERT_EQ(snapshot.cameras.size(), 1u);
+    EXPECT_EQ(snapshot.cameras[0].name, "c");
+}
+
+TEST_F(Instantiate, TextureNumbersFollowTheLibrary) {
+    world.resource<Library>().addImage({});
+    load(sample());
+    const MeshInstance drawn = world.get<MeshInstance>(named(world, "c"));
+    EXPECT_EQ(
+        world.resource<Library>().materials()[drawn.material.value].value->baseColourTexture.image,
+        2);
+}
+
+TEST_F(Instantiate, APointLightIsASphereOfItsPower) {
+    load(sample());
+    const auto& light = world.get<SphereLight>(named(world, "lamp"));
+    EXPECT_NEAR(light.powerWatts.x, 40.0f * math::kPi, 1e-3f);
+    EXPECT_NEAR(light.powerWatts.y, 20.0f * math::kPi, 1e-3f);
+    EXPECT_EQ(light.powerWatts.z, 0.0f);
+    EXPECT_EQ(light.radiusMetres, 0.05f);
+    EXPECT_EQ(light.cosOuterCone, -1.0f);
+}
+
+TEST_F(Instantiate, TheNodesRadiusComesBeforeTheLights) {
+    assets::Model model = sample();
+    model.lights[0].radiusMetres = 0.2f;
+    load(model);
+    EXPECT_EQ(world.get<SphereLight>(named(world, "lamp")).radiusMetres, 0.2f);
+    model.nodes[3].lightRadiusMetres = 0.3f;
+    model.nodes[3].name = "second";
+    load(std::move(model));
+    EXPECT_EQ(world.get<SphereLight>(named(world, "second")).radiusMetres, 0.3f);
+}
+
+TEST_F(Instantiate, ASpotKeepsItsConesAsCosines) {
+    assets::Model model = sample();
+    model.lights[0].type = assets::LightType::Spot;
+    model.lights[0].innerConeRadians = 0.3f;
+    model.lights[0].outerConeRadians = 0.6f;
+    load(std::move(model));
+    const auto& light = world.get<SphereLight>(named(world, "lamp"));
+    EXPECT_NEAR(light.cosOuterCone, std::cos(0.6f), 1e-6f);
+    EXPECT_NEAR(light.cosInnerCone, std::cos(0.3f), 1e-6f);
+}
+
+TEST_F(Instantiate, DirectionalLightsAreLeftOutWithOneWarning) {
+    assets::Model model = sample();
+    model.lights[0].type = assets::LightType::Directional;
+    model.nodes[4].light = 0;
+    model.roots.push_back(4);
+    load(std::move(model));
+    EXPECT_EQ(world.count<SphereLight>(), 0u);
+    EXPECT_EQ(std::count(warnings.begin(), warnings.end(), '\n'), 1);
+    EXPECT_NE(warnings.find("file.glb"), std::string::npos);
+    EXPECT_NE(warnings.find("2 left out"), std::string::npos);
+}
+
+TEST_F(Instantiate, DeepHierarchiesNeedNoStack) {
+    assets::Model model;
+    constexpr uint32_t kDepth = 20000;
+    for (uint32_t i = 0; i < kDepth; ++i) {
+        model.nodes.push_back(
+            node("", i + 1 < kDepth ? std::vector<uint32_t>{i + 1} : std::vector<uint32_t>{}));
+        model.nodes.back().translation.x = 1.0f;
+        model.nodes.back().parent = static_cast<int32_t>(i) - 1;
+    }
+    model.nodes.back().name = "last";
+    model.roots = {0};
+    load(std::move(model));
+    EXPECT_EQ(world.get<WorldTransform>(named(world, "last")).matrix[3].x, 20000.0f);
+}
+
+}  // namespace
+}  // namespace lampyris::scene
