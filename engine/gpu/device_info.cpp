@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace lampyris::gpu {
 namespace {
 
@@ -19,6 +21,16 @@ const char* kindName(VkPhysicalDeviceType type) {
         default:
             return "other";
     }
+}
+
+uint64_t largestHeap(VkPhysicalDevice physical) {
+    VkPhysicalDeviceMemoryProperties memory{};
+    vkGetPhysicalDeviceMemoryProperties(physical, &memory);
+    uint64_t largest = 0;
+    for (uint32_t i = 0; i < memory.memoryHeapCount; ++i)
+        if ((memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0)
+            largest = std::max<uint64_t>(largest, memory.memoryHeaps[i].size);
+    return largest;
 }
 
 }  // namespace
@@ -49,6 +61,7 @@ DeviceInfo readDeviceInfo(VkPhysicalDevice physical, uint32_t queueFamily) {
     info.limits.core = core.limits;
     info.limits.maxMemoryAllocationSize = v11.maxMemoryAllocationSize;
     info.limits.maxBufferSize = v13.maxBufferSize;
+    info.limits.largestHeapBytes = largestHeap(physical);
     info.limits.subgroupSize = v11.subgroupSize;
     info.limits.timestampValidBits = families[queueFamily].timestampValidBits;
     return info;
@@ -64,6 +77,7 @@ std::vector<std::pair<std::string, uint64_t>> listLimits(const Limits& limits) {
             {"maxPushConstantsSize", core.maxPushConstantsSize},
             {"maxMemoryAllocationSize", limits.maxMemoryAllocationSize},
             {"maxBufferSize", limits.maxBufferSize},
+            {"largestHeapBytes", limits.largestHeapBytes},
             {"maxComputeWorkGroupCount[0]", core.maxComputeWorkGroupCount[0]},
             {"maxComputeWorkGroupInvocations", core.maxComputeWorkGroupInvocations},
             {"maxComputeSharedMemorySize", core.maxComputeSharedMemorySize},

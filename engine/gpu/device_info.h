@@ -15,6 +15,7 @@ struct Limits {
     VkPhysicalDeviceLimits core{};
     uint64_t maxMemoryAllocationSize = 0;
     uint64_t maxBufferSize = 0;
+    uint64_t largestHeapBytes = 0;  ///< of device-local memory
     uint32_t subgroupSize = 0;
     uint32_t timestampValidBits = 0;
 };
