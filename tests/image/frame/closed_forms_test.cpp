@@ -111,9 +111,11 @@ TEST_F(ClosedForms, SeveralLightsAddUp) {
     const auto a = render(first, wanted, "direct");
     const auto b = render(second, wanted, "direct");
     const auto ab = render(both, wanted, "direct");
-    for (size_t i = 0; i < ab.image.values.size(); ++i)
+    for (size_t i = 0; i < ab.image.values.size(); ++i) {
+        if (i % ab.image.channels == 3) continue;
         ASSERT_NEAR(ab.image.values[i], a.image.values[i] + b.image.values[i],
                     2e-3f * ab.image.values[i] + 1e-4f);
+    }
 }
 
 TEST_F(ClosedForms, BackgroundIsExactlyBlack) {
