@@ -21,6 +21,11 @@ core::Result<void> copyAll(Device& device, const gpu::Buffer& source, const gpu:
     return gpu::submitAndWait(device, commands);
 }
 
+/// Up to whole texels of any format.
+uint64_t rounded(uint64_t bytes) {
+    return (bytes + 255) / 256 * 256;
+}
+
 }  // namespace
 
 ResidentBuffer::ResidentBuffer(Device& device, std::string name, uint32_t texelBytes)
@@ -42,7 +47,7 @@ core::Result<void> ResidentBuffer::reserve(uint64_t bytes) {
     const bool grows = buffer_.get() != VK_NULL_HANDLE;
     // The first size is exact: most scenes are loaded once. After that, half as much again.
     const uint64_t roomy = grows ? buffer_.bytes() + buffer_.bytes() / 2 : 0;
-    const uint64_t size = std::min(std::max(bytes, roomy), mostBytes_);
+    const uint64_t size = std::min(rounded(std::max(bytes, roomy)), mostBytes_);
     TRY(gpu::Buffer larger,
         gpu::Buffer::create(*device_,
                             {.bytes = size, .memory = gpu::MemoryUse::Device, .name = name_}));

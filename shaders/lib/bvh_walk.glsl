@@ -140,6 +140,7 @@ bool traceClosest(vec3 origin, vec3 direction, float tMin, float tMax, out Hit h
     if (!walkBvh(origin, direction, tMin, tMax, false, hit, triangle)) return false;
     vec3 v0 = triangleTexel(triangle, 0).xyz;
     vec3 normal = cross(triangleTexel(triangle, 1).xyz - v0, triangleTexel(triangle, 2).xyz - v0);
+    normal /= max(max(abs(normal.x), abs(normal.y)), abs(normal.z));  // its square might not be a float
     hit.normalWorld = normalize(normal.x * instances[hit.instance].worldToObject0.xyz +
                                 normal.y * instances[hit.instance].worldToObject1.xyz +
                                 normal.z * instances[hit.instance].worldToObject2.xyz);
