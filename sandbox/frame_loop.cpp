@@ -23,17 +23,30 @@ core::Error overflow(const shared::FrameCounters& counters) {
         counters.photonsDropped, counters.pairsDropped, kMostTries);
 }
 
+// A frame takes its photons in batches, so this bounds time as much as memory: each path leaves one
+// at least.
+core::Result<void> checkPaths(uint32_t paths, const gpu::Device& device) {
+    const uint64_t bytes = uint64_t{paths} * sizeof(shared::PackedPhoton);
+    const uint64_t most = device.limits().largestHeapBytes;
+    if (bytes <= most) return {};
+    return core::error(
+        "--photons {}: their photons take {} MiB or more, the device's memory is {} MiB", paths,
+        bytes >> 20, most >> 20);
+}
+
 }  // namespace
 
 core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options, bool presentable) {
     auto loop = std::make_unique<FrameLoop>();
     TRY(loop->device_, gpu::Device::create({options.device, options.validation, presentable}));
+    loop->request.size = sizeOf(options);
+    loop->request.settings = settingsOf(options);
+    loop->outputNode_ = options.outputNode;
+    TRY_VOID(checkPaths(loop->request.settings.photonPaths, *loop->device_));
     TRY(execute::Executor executor, execute::Executor::create(*loop->device_));
     loop->executor_.emplace(std::move(executor));
     TRY(loop->world_, scene::loadScene(options.scene));
     loop->renderer_.emplace(*loop->executor_);
-    loop->request.size = sizeOf(options);
-    loop->request.settings = settingsOf(options);
     TRY_VOID(loop->follow());
     TRY_VOID(loop->chooseCamera(options.camera));
     return loop;
@@ -56,20 +69,25 @@ core::Result<void> FrameLoop::chooseCamera(const std::string& name) {
                        listCameras(snapshot_));
 }
 
-core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, const std::string& outputNode) {
+core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, bool readBack) {
     LoopFrame frame;
     request.frameNumber = frameNumber;
     const photon_gi::DrawnFrame drawn = renderer_->declare(frame.declared, request);
-    TRY(frame.outcome, renderer_->run(frame.declared, drawn, outputNode));
+    frame.declared.output(drawn.radiance);
+    if (!frame.declared.published(outputNode_).valid())
+        return core::error("--output-node {}: there is no such image; there are {}", outputNode_,
+                           fmt::join(frame.declared.publishedNames(), ", "));
+    TRY(frame.outcome,
+        renderer_->run(frame.declared, drawn, readBack ? outputNode_ : std::string{}));
     return frame;
 }
 
-core::Result<LoopFrame> FrameLoop::draw(uint64_t frameNumber, const std::string& outputNode) {
+core::Result<LoopFrame> FrameLoop::draw(uint64_t frameNumber, bool readBack) {
     TRY_VOID(follow());
     const accel::AccelCounts counts = renderer_->accel().counts();
     shared::FrameCounters last{};
     for (int i = 0; i < kMostTries; ++i) {
-        TRY(LoopFrame frame, tryDraw(frameNumber, outputNode));
+        TRY(LoopFrame frame, tryDraw(frameNumber, readBack));
         last = frame.outcome.report.counters;
         if (!frame.outcome.report.valid) continue;
         frame.rebuilds = counts.rebuilds;

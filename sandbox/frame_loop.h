@@ -27,11 +27,11 @@ class FrameLoop {
     static core::Result<std::unique_ptr<FrameLoop>> open(const Options& options,
                                                          bool presentable = false);
 
-    /// Draws one frame, and again where a buffer was too small, until it is whole.
-    /// `outputNode` names the image to be read back; empty for none.
-    core::Result<LoopFrame> draw(uint64_t frameNumber, const std::string& outputNode);
+    /// Draws one frame, and again where a buffer was too small, until it is whole. An image is
+    /// read back where `readBack` is true: the one that --output-node names.
+    core::Result<LoopFrame> draw(uint64_t frameNumber, bool readBack = false);
     /// One try of draw(): `outcome.report.valid` tells whether it is whole.
-    core::Result<LoopFrame> tryDraw(uint64_t frameNumber, const std::string& outputNode);
+    core::Result<LoopFrame> tryDraw(uint64_t frameNumber, bool readBack = false);
 
     /// What the next frames are drawn with.
     photon_gi::FrameRequest request;
@@ -40,6 +40,8 @@ class FrameLoop {
     [[nodiscard]] execute::Executor& executor() { return *executor_; }
     [[nodiscard]] photon_gi::Renderer& renderer() { return *renderer_; }
     [[nodiscard]] ecs::World& world() { return world_; }
+    /// As of the last frame.
+    [[nodiscard]] const scene::SceneSnapshot& snapshot() const { return snapshot_; }
 
  private:
     core::Result<void> follow();
@@ -48,6 +50,7 @@ class FrameLoop {
     std::unique_ptr<gpu::Device> device_;
     std::optional<execute::Executor> executor_;
     std::optional<photon_gi::Renderer> renderer_;
+    std::string outputNode_;
     ecs::World world_;
     scene::SceneSnapshot snapshot_;
     ecs::Tick seen_ = 0;

@@ -63,7 +63,7 @@ core::Result<void> render(const RenderOptions& o) {
         Progress progress{"frame", total};
         for (uint32_t i = 0; i < total; ++i) {
             progress.show(i);
-            TRY(LoopFrame frame, loop->draw(i, i + 1 == total ? o.outputNode : std::string{}));
+            TRY(LoopFrame frame, loop->draw(i, i + 1 == total));
             if (i < warmup) continue;
             trace.add(frame.outcome.statistics);
             measured.add(std::move(frame));

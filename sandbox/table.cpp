@@ -53,9 +53,9 @@ std::string csvCell(const std::string& cell) {
 
 std::string csvLine(const Row& row) {
     std::string line;
-    for (const std::string& cell : row) {
-        if (!line.empty()) line.push_back(',');
-        line.append(csvCell(cell));
+    for (size_t i = 0; i < row.size(); ++i) {
+        if (i > 0) line.push_back(',');
+        line.append(csvCell(row[i]));
     }
     line.push_back('\n');
     return line;
