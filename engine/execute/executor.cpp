@@ -26,8 +26,8 @@ core::Result<Executor> Executor::create(gpu::Device& device) {
 
 Executor::~Executor() {
     if (slots_.empty()) return;  // moved from
-    const auto finished = finish();
-    if (!finished.ok()) core::logWarning("{}", finished.error().message);
+    const auto idle = device_->waitIdle();
+    if (!idle.ok()) core::logWarning("{}", idle.error().message);
 }
 
 core::Result<FrameResult> Executor::run(const graph::Frame& frame,
@@ -83,7 +83,9 @@ const gpu::Image& Executor::outputImage(graph::Image image) const {
 }
 
 core::Result<void> Executor::prepare(const graph::Frame& frame, const graph::CompiledGraph& graph) {
-    if (transients_.wouldChange(graph) || history_.wouldChange(frame, graph)) TRY_VOID(finish());
+    // What was shown last may still be on its way to the window.
+    if (transients_.wouldChange(graph) || history_.wouldChange(frame, graph))
+        TRY_VOID(device_->waitIdle());
     TRY_VOID(transients_.follow(frame, graph));
     return history_.prepare(frame, graph);
 }

@@ -1,0 +1,129 @@
+#include "window/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <utility>
+
+#include "gpu/vulkan_result.h"
+#include "window/x11_errors.h"
+
+namespace lampyris::window {
+namespace {
+
+std::string glfwMessage() {
+    const char* description = nullptr;
+    glfwGetError(&description);
+    return description == nullptr ? "no reason given" : description;
+}
+
+}  // namespace
+
+/// GLFW's callbacks write here; its address stays when the Window moves.
+struct Window::State {
+    GLFWwindow* window = nullptr;
+    Input input;
+    bool closeRequested = false;
+};
+
+core::Result<Window> Window::create(const WindowOptions& options) {
+    if (glfwInit() != GLFW_TRUE) return core::error("no display ({})", glfwMessage());
+    auto state = std::make_unique<State>();
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    state->window =
+        glfwCreateWindow(static_cast<int>(options.width), static_cast<int>(options.height),
+                         options.title.c_str(), nullptr, nullptr);
+    if (state->window == nullptr) {
+        const std::string why = glfwMessage();
+        glfwTerminate();
+        return core::error("cannot open a window: {}", why);
+    }
+    return Window{std::move(state)};
+}
+
+Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {
+    GLFWwindow* window = state_->window;
+    glfwSetWindowUserPointer(window, state_.get());
+    glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int, int action, int) {
+        if (key < 0 || key >= kKeyCount) return;
+        auto& state = *static_cast<State*>(glfwGetWindowUserPointer(from));
+        state.input.held[static_cast<size_t>(key)] = action != GLFW_RELEASE;
+        if (action == GLFW_PRESS) state.input.pressed[static_cast<size_t>(key)] = true;
+        if (key == kKeyEscape && action == GLFW_PRESS) state.closeRequested = true;
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* from, double, double lines) {
+        static_cast<State*>(glfwGetWindowUserPointer(from))->input.scrolled += lines;
+    });
+    glfwGetCursorPos(window, &state_->input.cursorX, &state_->input.cursorY);
+    watchX11Errors();
+}
+
+Window::Window(Window&&) noexcept = default;
+
+Window::~Window() {
+    if (state_ == nullptr) return;
+    watchX11Errors();
+    glfwDestroyWindow(state_->window);
+    glfwTerminate();
+}
+
+void Window::poll() {
+    Input& input = state_->input;
+    input.pressed.fill(false);
+    input.scrolled = 0.0;
+    watchX11Errors();
+    glfwPollEvents();
+    const double oldX = std::exchange(input.cursorX, 0.0);
+    const double oldY = std::exchange(input.cursorY, 0.0);
+    glfwGetCursorPos(state_->window, &input.cursorX, &input.cursorY);
+    input.movedX = input.cursorX - oldX;
+    input.movedY = input.cursorY - oldY;
+    for (size_t button = 0; button < input.buttons.size(); ++button)
+        input.buttons[button] =
+            glfwGetMouseButton(state_->window, static_cast<int>(button)) == GLFW_PRESS;
+}
+
+void Window::waitForEvents(double seconds) {
+    glfwWaitEventsTimeout(seconds);
+}
+
+const Input& Window::input() const {
+    return state_->input;
+}
+
+bool Window::shouldClose() const {
+    return state_->closeRequested || x11WindowWasDestroyed() ||
+           glfwWindowShouldClose(state_->window) == GLFW_TRUE;
+}
+
+void Window::requestClose() {
+    state_->closeRequested = true;
+}
+
+VkExtent2D Window::framebufferSize() const {
+    int width = 0;
+    int height = 0;
+    if (glfwGetWindowAttrib(state_->window, GLFW_ICONIFIED) == GLFW_FALSE)
+        glfwGetFramebufferSize(state_->window, &width, &height);
+    return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
+}
+
+void Window::resize(uint32_t width, uint32_t height) {
+    glfwSetWindowSize(state_->window, static_cast<int>(width), static_cast<int>(height));
+}
+
+void Window::setTitle(const std::string& title) {
+    glfwSetWindowTitle(state_->window, title.c_str());
+}
+
+core::Result<VkSurfaceKHR> Window::createSurface(VkInstance instance) const {
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+    VK_TRY(glfwCreateWindowSurface(instance, state_->window, nullptr, &surface));
+    return surface;
+}
+
+GLFWwindow* Window::handle() const {
+    return state_->window;
+}
+
+}  // namespace lampyris::window

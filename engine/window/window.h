@@ -1,0 +1,70 @@
+/// \file A GLFW window and what the user does in it. The headless path never comes here.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/result.h"
+
+struct GLFWwindow;
+
+namespace lampyris::window {
+
+struct WindowOptions {
+    std::string title = "lampyris";
+    uint32_t width = 1280;
+    uint32_t height = 720;
+};
+
+/// Keys by GLFW's numbers, which are ASCII for letters and digits.
+constexpr int kKeyEscape = 256;
+constexpr int kKeyCount = 349;
+
+/// The state after the last poll(). Positions in window coordinates, from the top left.
+struct Input {
+    std::array<bool, kKeyCount> held{};
+    std::array<bool, kKeyCount> pressed{};  ///< went down since the poll before
+    std::array<bool, 3> buttons{};          ///< left, right, middle
+    double cursorX = 0.0, cursorY = 0.0;
+    double movedX = 0.0, movedY = 0.0;  ///< of the cursor, since the poll before
+    double scrolled = 0.0;              ///< lines, since the poll before
+};
+
+class Window {
+ public:
+    /// An Error says "no display" where there is none.
+    static core::Result<Window> create(const WindowOptions& options);
+    Window(Window&&) noexcept;
+    Window& operator=(Window&&) = delete;
+    ~Window();
+
+    /// Takes in what happened. Call once a frame, on the thread that made the window.
+    void poll();
+    /// Sleeps until something happens, at most so long: for a minimised window.
+    void waitForEvents(double seconds);
+    [[nodiscard]] const Input& input() const;
+
+    /// The user pressed Escape or closed the window, or the window was destroyed from outside.
+    [[nodiscard]] bool shouldClose() const;
+    void requestClose();
+    /// In pixels; 0 by 0 while minimised.
+    [[nodiscard]] VkExtent2D framebufferSize() const;
+    void resize(uint32_t width, uint32_t height);
+    void setTitle(const std::string& title);
+
+    /// A Vulkan surface for it; the caller destroys it, before the window.
+    core::Result<VkSurfaceKHR> createSurface(VkInstance instance) const;
+    /// For the overlay's GLFW backend.
+    [[nodiscard]] GLFWwindow* handle() const;
+
+ private:
+    struct State;
+    explicit Window(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace lampyris::window
