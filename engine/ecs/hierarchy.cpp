@@ -56,6 +56,11 @@ void clearParent(World& world, Entity child) {
     if (parent.valid()) Kinship::unlink(world, child, parent);
 }
 
+void leaveFamily(World& world, Entity dying) {
+    const Entity parent = parentOf(world, dying);
+    if (parent.valid()) Kinship::leave(world, dying, parent);
+}
+
 Entity parentOf(const World& world, Entity child) {
     const Parent* parent = world.find<Parent>(child);
     return parent == nullptr ? Entity{} : parent->entity();

@@ -42,6 +42,8 @@ class Children {
 core::Result<void> setParent(World& world, Entity child, Entity parent);
 /// Makes `child` a root; nothing happens to one that is.
 void clearParent(World& world, Entity child);
+/// For World::destroy alone: takes a dying entity out of its parent's children and tells nobody.
+void leaveFamily(World& world, Entity dying);
 
 /// None for a root and for a stale handle.
 [[nodiscard]] Entity parentOf(const World& world, Entity child);

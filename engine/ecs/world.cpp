@@ -33,20 +33,17 @@ std::vector<Entity> World::entities() const {
 bool World::destroy(Entity e) {
     if (!alive(e)) return false;
     std::vector<std::unique_ptr<Departure>> departures;
-    if (find<Children>(e) == nullptr && find<Parent>(e) == nullptr) {
-        bury(e, departures);
+    leaveFamily(*this, e);
+    if (has<Children>(e)) {
+        for (const Entity doomed : subtree(*this, e)) bury(doomed, departures);
     } else {
-        const std::vector<Entity> doomed = subtree(*this, e);
-        clearParent(*this, e);
-        for (const Entity one : doomed) bury(one, departures);
+        bury(e, departures);
     }
     for (const auto& departure : departures) departure->announce(*this);
     return true;
 }
 
 void World::bury(Entity e, std::vector<std::unique_ptr<Departure>>& departures) {
-    // An observer of clearParent may have been here first.
-    if (!alive(e)) return;
     for (const auto& pool : pools_) {
         if (!pool || !pool->contains(e)) continue;
         if (auto departure = pool->depart(e, tick_)) departures.push_back(std::move(departure));

@@ -111,8 +111,7 @@ class World {
     template <typename T>
     [[nodiscard]] const T* findResource() const;
 
-    /// The pool of a component, made where missing. For systems and the hierarchy: changes here
-    /// tell nobody.
+    /// The pool of a component, made where missing. For systems: changes here tell nobody.
     template <Component C>
     [[nodiscard]] Pool<C>& pool();
     /// Tells onChange observers of a change that was made through pool().

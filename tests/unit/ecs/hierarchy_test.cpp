@@ -103,6 +103,21 @@ TEST_F(Hierarchy, DestroysChildrenWithTheirParent) {
     EXPECT_EQ(list(childrenOf(world, root)), std::vector<Entity>{c});
 }
 
+TEST_F(Hierarchy, TellsOfTheLostParentWhenTheChildIsDead) {
+    const Entity a = under(root);
+    int told = 0;
+    const Connection connection =
+        world.onRemove<Parent>([&](World& w, Entity e, const Parent& parent) {
+            EXPECT_EQ(e, a);
+            EXPECT_EQ(parent.entity(), root);
+            EXPECT_FALSE(w.alive(e));
+            EXPECT_TRUE(childrenOf(w, root).empty());
+            ++told;
+        });
+    world.destroy(a);
+    EXPECT_EQ(told, 1);
+}
+
 TEST_F(Hierarchy, DestroysALongChainAndAWideFamily) {
     Entity last = root;
     for (int i = 0; i < 100000; ++i) last = under(last);

@@ -107,6 +107,15 @@ TEST(RegistryDeath, KnowsANameOnlyOnce) {
     EXPECT_DEATH(registry.add<Place>("Place"), "find\\(entry.name\\)");
 }
 
+TEST(Registry, SurvivesDeepNesting) {
+    const auto loaded = loadWorld(std::string(1'000'000, '['), makeRegistry());
+    ASSERT_FALSE(loaded.ok());
+    EXPECT_NE(loaded.error().message.find("column 1000001"), std::string::npos)
+        << loaded.error().message;
+    EXPECT_FALSE(
+        loadWorld(std::string(100'000, '[') + std::string(100'000, ']'), makeRegistry()).ok());
+}
+
 struct BadWorld {
     std::string text;
     std::string message;  // a part of the error

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
 #include <string>
+#include <thread>
 
 namespace lampyris::ecs {
 namespace {
@@ -150,6 +152,21 @@ TEST(World, HoldsAMillionEntities) {
     for (uint32_t i = 0; i < kMany; ++i) world.add<Tag>(world.create());
     EXPECT_EQ(world.entityCount(), kMany);
     EXPECT_EQ(world.count<Tag>(), kMany);
+}
+
+TEST(World, IsReadFromSeveralThreadsAtOnce) {
+    World world;
+    for (int i = 0; i < 1000; ++i) world.add(world.create(), Position{i});
+    std::array<int, 4> sums{};
+    std::vector<std::thread> readers;
+    for (int& sum : sums)
+        readers.emplace_back([&sum, &shared = std::as_const(world)] {
+            for (const auto& [e, position] : shared.view<Position>(without<Tag>))
+                sum += position.x + int(shared.has<Label>(e)) +
+                       int(shared.changedSince<Position>(e, 1));
+        });
+    for (std::thread& reader : readers) reader.join();
+    EXPECT_EQ(sums, (std::array<int, 4>{499500, 499500, 499500, 499500}));
 }
 
 TEST(WorldDeath, SaysWhenNoMoreEntitiesFit) {
