@@ -69,11 +69,13 @@ core::Result<void> FrameLoop::chooseCamera(const std::string& name) {
                        listCameras(snapshot_));
 }
 
-core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, bool readBack) {
+core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, bool readBack,
+                                           const AddNodes& addNodes) {
     LoopFrame frame;
     request.frameNumber = frameNumber;
     const photon_gi::DrawnFrame drawn = renderer_->declare(frame.declared, request);
     frame.declared.output(drawn.radiance);
+    if (addNodes) addNodes(frame.declared, drawn.radiance);
     if (!frame.declared.published(outputNode_).valid())
         return core::error("--output-node {}: there is no such image; there are {}", outputNode_,
                            fmt::join(frame.declared.publishedNames(), ", "));

@@ -1,7 +1,9 @@
 /// \file The device, the scene and the renderer of one run, and its frames one after the other.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "ecs/world.h"
@@ -23,6 +25,8 @@ struct LoopFrame {
 
 class FrameLoop {
  public:
+    using AddNodes = std::function<void(graph::Frame&, graph::Image)>;
+
     /// Errors name the device, scene or camera that is missing.
     static core::Result<std::unique_ptr<FrameLoop>> open(const Options& options,
                                                          bool presentable = false);
@@ -31,7 +35,11 @@ class FrameLoop {
     /// read back where `readBack` is true: the one that --output-node names.
     core::Result<LoopFrame> draw(uint64_t frameNumber, bool readBack = false);
     /// One try of draw(): `outcome.report.valid` tells whether it is whole.
-    core::Result<LoopFrame> tryDraw(uint64_t frameNumber, bool readBack = false);
+    /// `addNodes` may add to the frame; it is given the finished radiance.
+    core::Result<LoopFrame> tryDraw(uint64_t frameNumber, bool readBack = false,
+                                    const AddNodes& addNodes = {});
+    /// Brings what changed in the world to the renderer. draw() does so itself.
+    core::Result<void> follow();
 
     /// What the next frames are drawn with.
     photon_gi::FrameRequest request;
@@ -44,7 +52,6 @@ class FrameLoop {
     [[nodiscard]] const scene::SceneSnapshot& snapshot() const { return snapshot_; }
 
  private:
-    core::Result<void> follow();
     core::Result<void> chooseCamera(const std::string& name);
 
     std::unique_ptr<gpu::Device> device_;

@@ -5,14 +5,10 @@
 #include <memory>
 
 #include "command.h"
-#include "core/file.h"
 #include "core/image_io.h"
-#include "core/log.h"
-#include "graph/export.h"
 #include "progress.h"
-#include "report.h"
+#include "results.h"
 #include "table.h"
-#include "trace.h"
 
 namespace lampyris::sandbox {
 namespace {
@@ -33,25 +29,6 @@ Table nodeTable(const FrameSeries& series, const std::string& title) {
     return table;
 }
 
-core::Result<void> writeResults(const Options& o, FrameLoop& loop, const Measured& measured,
-                                const Trace& trace) {
-    const photon_gi::Renderer::Outcome& last = measured.last.outcome;
-    TRY_VOID(core::writeImage(o.output, last.image, o.display));
-    if (!o.report.empty()) TRY_VOID(core::writeFile(o.report, makeReport(o, loop, measured)));
-    if (!o.trace.empty()) TRY_VOID(core::writeFile(o.trace, trace.text()));
-    if (o.graph.empty()) return {};
-    const bool dot = o.graph.extension() == ".dot";
-    return core::writeFile(o.graph, dot ? graph::toDot(measured.last.declared, last.graph)
-                                        : graph::toJson(measured.last.declared, last.graph));
-}
-
-void warnOfValidation(const gpu::Device& device) {
-    const auto messages = device.validationMessages();
-    if (!messages.empty())
-        core::logWarning("{} validation messages; the first: {}", messages.size(),
-                         messages.front());
-}
-
 core::Result<void> render(const RenderOptions& o) {
     TRY_VOID(checkOutputs(o));
     TRY(const std::unique_ptr<FrameLoop> loop, FrameLoop::open(o));
@@ -69,8 +46,8 @@ core::Result<void> render(const RenderOptions& o) {
             measured.add(std::move(frame));
         }
     }
+    TRY_VOID(core::writeImage(o.output, measured.last.outcome.image, o.display));
     TRY_VOID(writeResults(o, *loop, measured, trace));
-    warnOfValidation(loop->device());
     if (!o.table) return {};
     const auto title = fmt::format("GPU milliseconds a node, {} frames, {}",
                                    measured.series.frames(), loop->device().info().name);
