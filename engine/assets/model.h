@@ -64,7 +64,7 @@ struct ModelSkin {
     std::vector<glm::mat4> inverseBindMatrices;  ///< as many as joints
 };
 
-/// What a file holds. Materials are never empty: the last one is glTF's default where a primitive
+/// What a file holds. Behind the file's own materials stands glTF's default one, if some primitive
 /// names none.
 struct Model {
     std::string name;
