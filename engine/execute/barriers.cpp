@@ -66,8 +66,9 @@ void recordBarriers(VkCommandBuffer commands, const std::vector<graph::Barrier>&
     std::vector<VkBufferMemoryBarrier2> buffers;
     for (const graph::Barrier& barrier : barriers) {
         const Scope destination = scopeOf(barrier.destination);
-        // Nothing in this frame came before: chain to the frame's opening barrier, or to a handover.
-        // The accesses too: without them synchronization validation loses the chain from a handover.
+        // Nothing in this frame came before: chain to the frame's opening barrier, or to a
+        // handover. The accesses too: without them synchronization validation loses the chain from
+        // a handover.
         const Scope source = barrier.source.empty() ? destination : scopeOf(barrier.source);
         if (barrier.isImage)
             images.push_back(imageBarrier(resources.image(barrier.resource), source, destination,

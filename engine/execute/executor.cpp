@@ -1,8 +1,9 @@
 #include "execute/executor.h"
 
-#include <algorithm>
+#include <iterator>
 
 #include "core/log.h"
+#include "execute/read_back.h"
 #include "execute/recording.h"
 
 namespace lampyris::execute {
@@ -38,14 +39,14 @@ core::Result<FrameResult> Executor::run(const graph::Frame& frame,
     TRY_VOID(submitFrame(frame, graph, options.timed));
     FrameResult result;
     TRY(result.statistics, finishSlot(slot));
-    for (const graph::Image image : options.readBackImages) {
-        TRY(RawImage raw, readImage(*device_, slot.commands, frame, graph, resources_, image));
-        result.images.push_back(std::move(raw));
-    }
-    for (const graph::Buffer buffer : options.readBackBuffers) {
-        TRY(auto bytes, readBuffer(*device_, frame, graph, resources_, buffer));
-        result.buffers.push_back(std::move(bytes));
-    }
+    std::vector<uint32_t> wanted;
+    for (const graph::Image image : options.readBackImages) wanted.push_back(image.resource);
+    for (const graph::Buffer buffer : options.readBackBuffers) wanted.push_back(buffer.resource);
+    TRY(auto contents, readBack(*device_, slot.commands, frame, graph, resources_, wanted));
+    auto next = contents.begin();
+    for (const graph::Image image : options.readBackImages)
+        result.images.push_back(RawImage{frame.desc(image), std::move(*next++)});
+    result.buffers.assign(std::move_iterator{next}, std::move_iterator{contents.end()});
     return result;
 }
 

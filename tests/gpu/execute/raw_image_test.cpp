@@ -1,4 +1,4 @@
-#include "execute/read_back.h"
+#include "execute/raw_image.h"
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ execute::RawImage rawOf(graph::Format format, const std::vector<T>& values) {
     return raw;
 }
 
-TEST(ReadBack, HalfFloats) {
+TEST(RawImage, HalfFloats) {
     // 1, −2, the largest, the smallest normal; the smallest of all, −0, infinity, NaN
     const std::vector<uint16_t> halves{0x3c00, 0xc000, 0x7bff, 0x0400,
                                        0x0001, 0x8000, 0x7c00, 0x7e00};
@@ -33,7 +33,7 @@ TEST(ReadBack, HalfFloats) {
     EXPECT_TRUE(std::isnan(image.values[7]));
 }
 
-TEST(ReadBack, EightBits) {
+TEST(RawImage, EightBits) {
     const std::vector<uint8_t> bytes{255, 0, 51, 128};
     EXPECT_EQ(execute::toImage(rawOf(graph::Format::RGBA8Unorm, bytes)).values[2], 0.2f);
     const core::Image swapped = execute::toImage(rawOf(graph::Format::BGRA8Unorm, bytes));
@@ -44,7 +44,7 @@ TEST(ReadBack, EightBits) {
     EXPECT_NEAR(decoded.values[3], 128.0f / 255.0f, 1e-6f);
 }
 
-TEST(ReadBack, FloatsAndUints) {
+TEST(RawImage, FloatsAndUints) {
     const auto floats = execute::toImage(rawOf<float>(graph::Format::RG32Float, {1.5f, -2.5f}));
     EXPECT_EQ(floats.channels, 2u);
     EXPECT_EQ(floats.values[1], -2.5f);
