@@ -13,7 +13,6 @@ layout(set = 0, binding = SLOT_LIGHTS, std430) readonly buffer Lights { GpuLight
 layout(set = 0, binding = SLOT_LIGHT_REACH, std430) writeonly buffer Reach { float reach[]; };
 
 shared vec4 partial[REACH_THREADS];
-shared vec4 total;
 
 float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
@@ -26,19 +25,18 @@ float reachOf(GpuLight light, float mean) {
 // The sum over this thread's samples; with `mean` < 0 of the irradiance (a counts samples), else of what is cut off.
 vec4 gatherSamples(uint thread, float mean) {
     vec4 sum = vec4(0.0);
-    for (uint s = thread; s < REACH_GRID * REACH_GRID; s += REACH_THREADS) {
+    uint samples = params.cutoff > 0.0 ? REACH_GRID * REACH_GRID : 0u;
+    for (uint s = thread; s < samples; s += REACH_THREADS) {
         vec2 at = (vec2(s % REACH_GRID, s / REACH_GRID) + 0.5) / float(REACH_GRID);
         ivec2 pixel = ivec2(at * vec2(view.width, view.height));
         float depth = depthAt(pixel);
         if (depth <= 0.0) continue;
         vec3 position = positionWorld(pixel, depth);
         vec3 normal = normalAt(pixel);
-        float z = viewDepth(depth);
         // Surface seen by one sample's share of the image, m².
-        float share = pixelFootprint(z) * pixelFootprint(z) * float(view.width * view.height) /
-                      float(REACH_GRID * REACH_GRID);
-        vec3 toEye = normalize(cameraWorld() - position);
-        float area = share / max(dot(normal, toEye), 0.05);
+        float side = pixelFootprint(viewDepth(depth));
+        float share = side * side * float(view.width * view.height) / float(REACH_GRID * REACH_GRID);
+        float area = share / max(dot(normal, normalize(cameraWorld() - position)), 0.05);
         for (uint i = 0u; i < params.lightCount; ++i) {
             vec3 toLight = lights[i].positionRadius.xyz - position;
             if (mean >= 0.0 && length(toLight) <= reachOf(lights[i], mean)) continue;
@@ -50,28 +48,23 @@ vec4 gatherSamples(uint thread, float mean) {
     return sum;
 }
 
-void reduceInto(uint thread, vec4 value) {
-    partial[thread] = value;
-    barrier();
-    if (thread == 0u) {
-        vec4 sum = vec4(0.0);
-        for (uint i = 0u; i < REACH_THREADS; ++i) sum += partial[i];
-        total = sum;
-    }
-    barrier();
+vec4 sumOfPartials() {
+    vec4 sum = vec4(0.0);
+    for (uint i = 0u; i < REACH_THREADS; ++i) sum += partial[i];
+    return sum;
 }
 
+// Every barrier stands outside all branches: lavapipe loses lanes at barriers under a condition.
 void main() {
     uint thread = gl_LocalInvocationIndex;
-    float mean = 0.0;
-    if (params.cutoff > 0.0) {
-        reduceInto(thread, gatherSamples(thread, -1.0));
-        mean = luminance(total.rgb) / max(total.a, 1.0);
-        barrier();
-        reduceInto(thread, gatherSamples(thread, mean));
-    } else {
-        reduceInto(thread, vec4(0.0));
-    }
+    partial[thread] = gatherSamples(thread, -1.0);
+    barrier();
+    vec4 irradiance = sumOfPartials();
+    float mean = luminance(irradiance.rgb) / max(irradiance.a, 1.0);
+    barrier();
+    partial[thread] = gatherSamples(thread, mean);
+    barrier();
+    vec4 cutOff = sumOfPartials();
     for (uint i = thread; i < params.lightCount; i += REACH_THREADS) reach[i] = reachOf(lights[i], mean);
-    if (thread < 3u) reach[params.lightCount + thread] = total[thread];
+    if (thread < 3u) reach[params.lightCount + thread] = cutOff[thread];
 }
