@@ -24,8 +24,8 @@ struct Barrier {
     uint32_t resource = 0;
     bool isImage = false;
     /// All touches since the previous barrier. Empty: none in this frame (an image's first layout);
-    /// take the destination's stages as source, which chains it to the frame's opening barrier and
-    /// to `handover`.
+    /// take the destination as source, which chains it to the frame's opening barrier and to
+    /// `handover`.
     TouchSet source{};
     TouchSet destination{};  ///< all touches until the next barrier
     Layout before = Layout::Undefined;
