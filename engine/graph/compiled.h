@@ -48,7 +48,7 @@ struct MemoryBarrier {
 
 /// Runs one node, or (debug mode) fills transients with kPoisonWord as a transfer.
 struct Step {
-    uint32_t node = kNoNode;        ///< index in Frame::nodes()
+    uint32_t node = kNoNode;          ///< index in Frame::nodes()
     std::vector<uint32_t> poisons{};  ///< resources to fill; only where `node` is kNoNode
     MemoryBarrier handover;
     std::vector<Barrier> barriers{};
