@@ -36,9 +36,9 @@ TEST(Hairball, FillsItsBallWithTubes) {
     }
     EXPECT_LE(outermost, 3.0f);
     EXPECT_GT(outermost, 2.85f);
-    // Some in the middle, more outside: as a ball's volume has it, within reason.
-    EXPECT_GT(inner, hairball.positions.size() / 20);
-    EXPECT_LT(inner, hairball.positions.size() / 2);
+    // Denser in the middle, where all tubes begin, but not there alone: an eighth would be even.
+    EXPECT_GT(inner, hairball.positions.size() / 8);
+    EXPECT_LT(inner, hairball.positions.size() * 2 / 3);
 }
 
 }  // namespace
