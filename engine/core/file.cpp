@@ -42,7 +42,9 @@ Result<void> writeFile(const std::filesystem::path& path, std::span<const uint8_
     };
     std::FILE* file = std::fopen(beside.c_str(), "wb");
     if (file == nullptr) return fail("write");
-    const bool wrote = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    // An empty span may start at null, which fwrite must not be given.
+    const bool wrote =
+        bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
     const bool closed = std::fclose(file) == 0;
     if (!wrote || !closed) return fail("write");
     if (std::rename(beside.c_str(), path.c_str()) != 0) return fail("rename into place");

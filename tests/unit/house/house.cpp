@@ -29,6 +29,7 @@ const std::vector<Library>& libraries() {
         {"TBB", {"tbb/", "oneapi/tbb"}, {"accel", "reference"}},
         {"meshoptimizer", {"meshoptimizer.h"}, {"assets", "accel"}},
         {"GLFW", {"GLFW/"}, {"window", "overlay"}},
+        {"Xlib", {"X11/"}, {"window"}},
         {"Dear ImGui", {"imgui", "misc/cpp/imgui", "implot"}, {"overlay"}},
         {"CLI11", {"CLI/"}, {"sandbox"}},
         {"SPIRV-Cross", {"spirv_cross"}, {"embed"}},
