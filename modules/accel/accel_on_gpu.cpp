@@ -109,6 +109,7 @@ core::Result<void> AccelOnGpu::Parts::load(residency::Loading& loading, Built& n
     Tree& tree = next.blas.tree;
     resident.place.depth = tree.depth;
     resident.place.bounds = tree.bounds;
+    resident.place.grid = tree.grid;
     if (next.blas.triangles.empty()) return {};
     relocate(tree, static_cast<uint32_t>(resident.firstNode),
              static_cast<uint32_t>(resident.firstTriangle));
@@ -134,8 +135,9 @@ core::Result<void> AccelOnGpu::Parts::rebuildTlas(const scene::SceneSnapshot& sn
     CHECK(tlas.nodes.size() <= tlasNodes);
     handles.root = tlas.root;
     counts.deepest = tlas.depth;
-    // In eights, so that few depths mean a new pipeline.
-    handles.stackEntries = std::max(8u, (tlas.depth + 7) / 8 * 8);
+    // The walk marks the end of both trees on its stack. In eights, so that few depths mean a new
+    // pipeline.
+    handles.stackEntries = (tlas.depth + 2 + 7) / 8 * 8;
     return nodes.stage(firstTlasNode * sizeof(Node), std::as_bytes(std::span(tlas.nodes)));
 }
 
@@ -177,11 +179,12 @@ uint64_t AccelOnGpu::deviceBytes() const {
 void bindTraversal(graph::ComputeNode& node, const AccelHandles& accel,
                    const residency::SceneHandles& scene) {
     residency::bindMaterials(node, scene);
-    node.texels(shared::SLOT_BVH_NODES, accel.nodes, graph::Format::RGBA32Float)
+    node.texels(shared::SLOT_BVH_NODES, accel.nodes, graph::Format::RGBA32Uint)
         .texels(shared::SLOT_BVH_TRIANGLES, accel.triangles, graph::Format::RGBA32Float)
         .uniformData(shared::SLOT_BVH_ROOT, accel.root)
         .specialise(shared::SPEC_BVH_STACK, accel.stackEntries)
-        .specialise(shared::SPEC_BVH_MASKED, scene.anyMasked ? 1 : 0);
+        .specialise(shared::SPEC_BVH_MASKED, scene.anyMasked ? 1 : 0)
+        .specialise(shared::SPEC_BVH_INSTANCED, accel.root.instance == shared::BVH_NOTHING ? 1 : 0);
 }
 
 }  // namespace lampyris::accel

@@ -1,8 +1,8 @@
 #include "accel/tlas.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <cstring>
 
 #include "core/check.h"
 #include "residency/pack_scene.h"
@@ -12,12 +12,8 @@ namespace {
 
 using residency::Placement;
 
-/// What stands in an instance's place among the nodes: see shared/bvh.h.
-struct Record {
-    glm::vec4 worldToObject0, worldToObject1, worldToObject2;
-    uint32_t rootLink, instance, flags, pad0;
-};
-static_assert(sizeof(Record) == sizeof(Node));
+using shared::BVH_RECORD_NODES;
+static_assert(sizeof(shared::GpuBvhInstance) == BVH_RECORD_NODES * sizeof(Node));
 
 /// An instance that has triangles.
 struct Candidate {
@@ -41,19 +37,24 @@ std::vector<Candidate> candidates(const scene::SceneSnapshot& snapshot,
     return result;
 }
 
-Node recordOf(const Candidate& candidate) {
-    const glm::mat4& m = candidate.placement.worldToObject;
-    const glm::mat4 rows = glm::transpose(m);
-    const Record record{
-        rows[0],         rows[1], rows[2], candidate.blas->rootLink, candidate.instance,
-        candidate.flags, 0};
-    return std::bit_cast<Node>(record);
+void addRecord(std::vector<Node>& nodes, const Candidate& candidate) {
+    const glm::mat4 rows = glm::transpose(candidate.placement.worldToObject);
+    const shared::GpuBvhInstance record{rows[0],
+                                        rows[1],
+                                        rows[2],
+                                        candidate.blas->rootLink,
+                                        candidate.instance,
+                                        candidate.flags,
+                                        0,
+                                        candidate.blas->grid};
+    const auto parts = std::bit_cast<std::array<Node, BVH_RECORD_NODES>>(record);
+    nodes.insert(nodes.end(), parts.begin(), parts.end());
 }
 
 /// The leaf of a tree with one candidate a leaf becomes the record of that candidate.
 uint32_t toRecord(uint32_t link, const std::vector<uint32_t>& order, uint32_t firstRecord) {
     if (link == shared::BVH_NOTHING || !isLeaf(link)) return link;
-    return shared::BVH_INSTANCE | (firstRecord + order[linkIndex(link)]);
+    return shared::BVH_INSTANCE | (firstRecord + BVH_RECORD_NODES * order[linkIndex(link)]);
 }
 
 }  // namespace
@@ -66,7 +67,8 @@ core::Result<Tlas> buildTlas(TreeBuilder& builder, const scene::SceneSnapshot& s
     for (const Candidate& candidate : found)
         tlas.depth = std::max(tlas.depth, candidate.blas->depth);
     if (found.size() == 1 && found[0].placement.identity) {
-        tlas.root = {found[0].blas->rootLink, found[0].instance, found[0].flags, 0};
+        tlas.root = {found[0].blas->rootLink, found[0].instance, found[0].flags, 0,
+                     found[0].blas->grid};
         return tlas;
     }
     const BoxOf boxOf = [&found](uint32_t i, math::Bounds& box) {
@@ -78,12 +80,13 @@ core::Result<Tlas> buildTlas(TreeBuilder& builder, const scene::SceneSnapshot& s
     relocate(tree, nodeOffset, 0);
     tlas.depth += tree.depth;
     tlas.root.link = toRecord(tree.rootLink, tree.order, firstRecord);
+    tlas.root.grid = tree.grid;
     for (Node& node : tree.nodes) {
         node.leftLink = toRecord(node.leftLink, tree.order, firstRecord);
         node.rightLink = toRecord(node.rightLink, tree.order, firstRecord);
     }
     tlas.nodes = std::move(tree.nodes);
-    for (const Candidate& candidate : found) tlas.nodes.push_back(recordOf(candidate));
+    for (const Candidate& candidate : found) addRecord(tlas.nodes, candidate);
     return tlas;
 }
 

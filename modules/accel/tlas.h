@@ -16,12 +16,13 @@ struct BlasPlace {
         shared::BVH_NOTHING;  ///< absolute; BVH_NOTHING where the mesh has no triangle
     uint32_t depth = 0;
     math::Bounds bounds;  ///< object space
+    shared::GpuBvhGrid grid{};
 };
 
-/// Inner nodes, then a record an instance, all of a node's size.
+/// Inner nodes, then the records of the instances.
 struct Tlas {
     std::vector<Node> nodes;
-    shared::GpuBvhRoot root{shared::BVH_NOTHING, shared::BVH_NOTHING, 0, 0};
+    shared::GpuBvhRoot root{shared::BVH_NOTHING, shared::BVH_NOTHING, 0, 0, {}};
     uint32_t depth = 0;  ///< stack entries of a walk down to the deepest triangle
 };
 
@@ -32,7 +33,7 @@ core::Result<Tlas> buildTlas(TreeBuilder& builder, const scene::SceneSnapshot& s
 
 /// The nodes that buildTlas makes at most for so many instances.
 [[nodiscard]] inline uint32_t tlasCapacity(size_t instances) {
-    return 2 * static_cast<uint32_t>(instances) + 1;
+    return (1 + shared::BVH_RECORD_NODES) * static_cast<uint32_t>(instances) + 1;
 }
 
 }  // namespace lampyris::accel

@@ -9,18 +9,27 @@
 
 namespace lampyris::accel {
 
+/// A box in whole cells of a grid: lower in the low half of each word, upper in the high half.
+struct CellBox {
+    uint32_t x = 0, y = 0, z = 0;
+};
+
 /// Both children of an inner node: their boxes and where they lead. As the texels of shared/bvh.h.
 struct Node {
-    glm::vec3 leftLower{0.0f};
+    CellBox leftBox;
     uint32_t leftLink = shared::BVH_NOTHING;
-    glm::vec3 leftUpper{0.0f};
+    CellBox rightBox;
     uint32_t rightLink = shared::BVH_NOTHING;
-    glm::vec3 rightLower{0.0f};
-    uint32_t pad0 = 0;
-    glm::vec3 rightUpper{0.0f};
-    uint32_t pad1 = 0;
 };
-static_assert(sizeof(Node) == shared::BVH_NODE_TEXELS * sizeof(glm::vec4));
+static_assert(sizeof(Node) == shared::BVH_NODE_TEXELS * 4 * sizeof(uint32_t));
+
+/// The grid of a tree with these bounds. Cells are never smaller than the rounding of a ray's
+/// arithmetic.
+[[nodiscard]] shared::GpuBvhGrid gridAround(const math::Bounds& bounds);
+/// The box in cells, and a cell wider on every side, so that rounding in the shader's slab test
+/// cannot miss what the exact triangle test would hit.
+[[nodiscard]] CellBox toCells(const shared::GpuBvhGrid& grid, const math::Bounds& box);
+[[nodiscard]] math::Bounds fromCells(const shared::GpuBvhGrid& grid, const CellBox& box);
 
 /// Nodes stand in preorder, the root first. Leaves are ranges of `order`.
 struct Tree {
@@ -29,6 +38,7 @@ struct Tree {
     uint32_t rootLink = shared::BVH_NOTHING;  ///< BVH_NOTHING where there is no primitive
     uint32_t depth = 0;  ///< most inner nodes on a path: stack entries of a walk
     math::Bounds bounds;
+    shared::GpuBvhGrid grid{};
 };
 
 [[nodiscard]] inline bool isLeaf(uint32_t link) {

@@ -16,11 +16,6 @@ namespace {
 // the last 8 levels for halving what is still too large for a leaf. [chosen]
 constexpr uint32_t kMaxDepth = 64;
 
-// Boxes are widened by this share of the tree's largest coordinate, so that rounding in the slab
-// test cannot miss a triangle that the exact triangle test would hit at its border: a few roundings
-// of 2⁻²⁴. [chosen]
-constexpr float kPadding = 5e-7f;
-
 constexpr uint32_t kMaxLeaf = 4;
 
 /// What Embree's callbacks build: an inner node where count is 0, else a leaf.
@@ -70,7 +65,7 @@ std::vector<RTCBuildPrimitive> collect(uint32_t count, const BoxOf& boxOf, math:
 /// Turns Embree's branches into nodes in preorder, without recursion: trees may be deep.
 class Flattening {
  public:
-    Flattening(Tree& tree, float padding) : tree_(&tree), padding_(padding) {}
+    explicit Flattening(Tree& tree) : tree_(&tree) {}
 
     void run(const Branch* root) {
         tree_->rootLink = place(root, 0);
@@ -101,11 +96,8 @@ class Flattening {
         }
         const auto index = static_cast<uint32_t>(tree_->nodes.size());
         Node node;
-        const auto [left, right] = branch->boxes;
-        node.leftLower = glm::vec3(left.lower_x, left.lower_y, left.lower_z) - padding_;
-        node.leftUpper = glm::vec3(left.upper_x, left.upper_y, left.upper_z) + padding_;
-        node.rightLower = glm::vec3(right.lower_x, right.lower_y, right.lower_z) - padding_;
-        node.rightUpper = glm::vec3(right.upper_x, right.upper_y, right.upper_z) + padding_;
+        node.leftBox = cellsOf(branch->boxes[0]);
+        node.rightBox = cellsOf(branch->boxes[1]);
         tree_->nodes.push_back(node);
         // The left part comes off the stack first, and so follows its parent.
         open_.push_back({branch->children[1], index, depth + 1, true});
@@ -113,8 +105,12 @@ class Flattening {
         return index;
     }
 
+    [[nodiscard]] CellBox cellsOf(const RTCBounds& box) const {
+        return toCells(tree_->grid, {glm::vec3(box.lower_x, box.lower_y, box.lower_z),
+                                     glm::vec3(box.upper_x, box.upper_y, box.upper_z)});
+    }
+
     Tree* tree_;
-    float padding_;
     std::vector<Open> open_;
 };
 
@@ -185,9 +181,8 @@ core::Result<Tree> TreeBuilder::build(uint32_t count, uint32_t leafSize, const B
     if (root == nullptr)
         return core::error("Embree: a tree over {} primitives failed with error {}",
                            primitives.size(), rtcGetDeviceError(device_->handle));
-    const glm::vec3 reach = glm::max(glm::abs(tree.bounds.lower), glm::abs(tree.bounds.upper));
-    Flattening(tree, kPadding * std::max({reach.x, reach.y, reach.z}))
-        .run(static_cast<const Branch*>(root));
+    tree.grid = gridAround(tree.bounds);
+    Flattening(tree).run(static_cast<const Branch*>(root));
     return tree;
 }
 

@@ -10,28 +10,32 @@
 
 layout(constant_id = SPEC_BVH_STACK) const uint bvhStackEntries = 64u;
 layout(constant_id = SPEC_BVH_MASKED) const uint bvhMasked = 1u;
-layout(set = 0, binding = SLOT_BVH_NODES) uniform samplerBuffer bvhNodes;
+layout(constant_id = SPEC_BVH_INSTANCED) const uint bvhInstanced = 1u;
+layout(set = 0, binding = SLOT_BVH_NODES) uniform usamplerBuffer bvhNodes;
 layout(set = 0, binding = SLOT_BVH_TRIANGLES) uniform samplerBuffer bvhTriangles;
 layout(set = 0, binding = SLOT_BVH_ROOT, std140) uniform BvhRoot { GpuBvhRoot bvhRoot; };
 
 // The one place that fetches: a device that prefers storage buffers changes these two lines.
-vec4 nodeTexel(uint node, int texel) { return texelFetch(bvhNodes, int(node * BVH_NODE_TEXELS) + texel); }
+uvec4 nodeTexel(uint node, int texel) { return texelFetch(bvhNodes, int(node * BVH_NODE_TEXELS) + texel); }
 vec4 triangleTexel(uint triangle, int corner) {
     return texelFetch(bvhTriangles, int(triangle * BVH_TRIANGLE_TEXELS) + corner);
 }
 
-// A ray in the space of the tree being walked. The rows shear that space so that the ray runs along +z, with z = t.
+// A ray in the space of the tree being walked. A number of cells n is met at t = n · slabScale + slabOffset. The rows
+// shear that space so that the ray runs along +z, with z = t.
 struct WalkRay {
     vec3 origin;
-    vec3 inverse;
+    vec3 slabScale, slabOffset;
     vec3 rowX, rowY, rowZ;
 };
 
-WalkRay walkRay(vec3 origin, vec3 direction) {
+WalkRay walkRay(vec3 origin, vec3 direction, vec3 gridOffset, vec3 gridCell) {
     WalkRay ray;
     ray.origin = origin;
     vec3 tiny = vec3(1e-20);
-    ray.inverse = 1.0 / mix(direction, tiny, lessThan(abs(direction), tiny));
+    vec3 inverse = 1.0 / mix(direction, tiny, lessThan(abs(direction), tiny));
+    ray.slabScale = gridCell * inverse;
+    ray.slabOffset = (gridOffset - origin) * inverse;
     vec3 a = abs(direction);
     vec3 axis = a.x > a.y ? (a.x > a.z ? vec3(1, 0, 0) : vec3(0, 0, 1)) : (a.y > a.z ? vec3(0, 1, 0) : vec3(0, 0, 1));
     ray.rowZ = axis / dot(axis, direction);
@@ -40,10 +44,14 @@ WalkRay walkRay(vec3 origin, vec3 direction) {
     return ray;
 }
 
-// Where the ray enters a box, or a huge number where it misses. The far end is widened by a few roundings.
-float enterBox(WalkRay ray, vec3 lower, vec3 upper, float tMin, float tMax) {
-    vec3 a = (lower - ray.origin) * ray.inverse;
-    vec3 b = (upper - ray.origin) * ray.inverse;
+WalkRay worldRay(vec3 origin, vec3 direction) {
+    return walkRay(origin, direction, bvhRoot.grid.offset.xyz, bvhRoot.grid.cell.xyz);
+}
+
+// Where the ray enters a box, or a huge number where it misses. Boxes are a cell too wide, the far end a few roundings.
+float enterBox(WalkRay ray, uvec3 box, float tMin, float tMax) {
+    vec3 a = vec3(box & 0xffffu) * ray.slabScale + ray.slabOffset;
+    vec3 b = vec3(box >> 16) * ray.slabScale + ray.slabOffset;
     vec3 near = min(a, b);
     vec3 far = max(a, b);
     float enter = max(max(near.x, near.y), max(near.z, tMin));
@@ -68,29 +76,29 @@ bool crossTriangle(WalkRay ray, vec3 v0, vec3 v1, vec3 v2, out vec2 bary, out fl
     return total != 0.0 && (min(min(w.x, w.y), w.z) >= 0.0 || max(max(w.x, w.y), w.z) <= 0.0);
 }
 
+// Loops within loops, and little else: a SIMD device pays for every branch of a loop's body in every turn.
 bool walkBvh(vec3 origin, vec3 direction, float tMin, float tMax, bool any, out Hit hit, out uint triangle) {
     hit = Hit(tMax, BVH_NOTHING, BVH_NOTHING, vec2(0.0), vec3(0.0));
     triangle = BVH_NOTHING;
     uint stack[bvhStackEntries];
-    uint top = 0u;
+    uint top = 1u;
+    stack[0] = BVH_NOTHING;  // under the entries of each tree: its end
     uint link = bvhRoot.link;
     uint instance = bvhRoot.instance;
     uint flags = bvhRoot.flags;
-    uint entered = 0u;  // height of the stack below the current instance's entries
-    if (link == BVH_NOTHING) return false;
-    WalkRay ray = walkRay(origin, direction);
+    WalkRay ray = worldRay(origin, direction);
     while (true) {
-        bool pop = true;
-        if ((link & (BVH_LEAF | BVH_INSTANCE)) == 0u) {
-            vec4 a = nodeTexel(link, 0), b = nodeTexel(link, 1), c = nodeTexel(link, 2), d = nodeTexel(link, 3);
-            float left = enterBox(ray, a.xyz, b.xyz, tMin, hit.t);
-            float right = enterBox(ray, c.xyz, d.xyz, tMin, hit.t);
-            bool leftFirst = left <= right;
-            uint first = floatBitsToUint(leftFirst ? a.w : b.w);
-            if (max(left, right) < 1e38) stack[top++] = floatBitsToUint(leftFirst ? b.w : a.w);
-            pop = min(left, right) >= 1e38;
-            link = first;
-        } else if ((link & BVH_LEAF) != 0u) {
+        while ((link & BVH_INSTANCE) == 0u) {  // inner node or leaf: neither record nor end
+            while ((link & (BVH_LEAF | BVH_INSTANCE)) == 0u) {
+                uvec4 left = nodeTexel(link, 0), right = nodeTexel(link, 1);
+                float enterLeft = enterBox(ray, left.xyz, tMin, hit.t);
+                float enterRight = enterBox(ray, right.xyz, tMin, hit.t);
+                bool leftFirst = enterLeft <= enterRight;
+                link = leftFirst ? left.w : right.w;
+                if (max(enterLeft, enterRight) < 1e38) stack[top++] = leftFirst ? right.w : left.w;
+                if (min(enterLeft, enterRight) >= 1e38) link = stack[--top];
+            }
+            if ((link & BVH_INSTANCE) != 0u) break;
             uint next = link & BVH_INDEX_MASK;
             uint end = next + ((link >> BVH_COUNT_SHIFT) & 3u) + 1u;
             for (; next < end; ++next) {
@@ -110,25 +118,25 @@ bool walkBvh(vec3 origin, vec3 direction, float tMin, float tMax, bool any, out 
                 triangle = next;
             }
             if (any && triangle != BVH_NOTHING) return true;
-        } else {
-            uint record = link & BVH_INDEX_MASK;
-            vec4 a = nodeTexel(record, 0), b = nodeTexel(record, 1), c = nodeTexel(record, 2), d = nodeTexel(record, 3);
-            vec4 from = vec4(origin, 1.0);
-            ray = walkRay(vec3(dot(a, from), dot(b, from), dot(c, from)),
-                          vec3(dot(a.xyz, direction), dot(b.xyz, direction), dot(c.xyz, direction)));
-            link = floatBitsToUint(d.x);
-            instance = floatBitsToUint(d.y);
-            flags = floatBitsToUint(d.z);
-            entered = top;
-            pop = false;
+            link = stack[--top];
         }
-        if (pop) {
-            if (top == 0u) break;
-            if (top == entered && instance != bvhRoot.instance) {
-                ray = walkRay(origin, direction);
-                instance = BVH_NOTHING;
-                entered = 0u;
-            }
+        if (bvhInstanced == 0u) break;
+        if (link != BVH_NOTHING) {
+            uint record = link & BVH_INDEX_MASK;
+            vec4 x = uintBitsToFloat(nodeTexel(record, 0)), y = uintBitsToFloat(nodeTexel(record, 1));
+            vec4 z = uintBitsToFloat(nodeTexel(record, 2)), from = vec4(origin, 1.0);
+            uvec4 tree = nodeTexel(record, 3);
+            ray = walkRay(vec3(dot(x, from), dot(y, from), dot(z, from)),
+                          vec3(dot(x.xyz, direction), dot(y.xyz, direction), dot(z.xyz, direction)),
+                          uintBitsToFloat(nodeTexel(record, 4).xyz), uintBitsToFloat(nodeTexel(record, 5).xyz));
+            link = tree.x;
+            instance = tree.y;
+            flags = tree.z;
+            stack[top++] = BVH_NOTHING;
+        } else {
+            if (instance == BVH_NOTHING) break;
+            ray = worldRay(origin, direction);
+            instance = BVH_NOTHING;
             link = stack[--top];
         }
     }

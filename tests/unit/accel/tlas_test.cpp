@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <cstring>
 #include <set>
 
 #include "support/snapshot_builder.h"
@@ -17,7 +17,7 @@ struct Scene : test::SnapshotBuilder {
     Scene() {
         addMesh(test::triangleSoup(10, 0.3f, 1));
         addMaterial(test::mattMaterial());
-        places = {{777, 3, snapshot.meshes[0].value->bounds}};
+        places = {{777, 3, snapshot.meshes[0].value->bounds, {}}};
     }
     Tlas built() {
         TreeBuilder builder;
@@ -32,8 +32,10 @@ struct Scene : test::SnapshotBuilder {
 void collect(const Tlas& tlas, uint32_t link, std::multiset<uint32_t>& instances) {
     const Node& node = tlas.nodes.at(linkIndex(link) - kOffset);
     if ((link & shared::BVH_INSTANCE) != 0) {
-        EXPECT_EQ(std::bit_cast<uint32_t>(node.rightUpper.x), 777u);
-        instances.insert(std::bit_cast<uint32_t>(node.rightUpper.y));
+        shared::GpuBvhInstance record{};
+        std::memcpy(&record, &node, sizeof(record));
+        EXPECT_EQ(record.rootLink, 777u);
+        instances.insert(record.instance);
         return;
     }
     collect(tlas, node.leftLink, instances);

@@ -38,8 +38,8 @@ void visit(const Tree& tree, uint32_t link, const math::Bounds& box, uint32_t de
            const std::function<void(uint32_t, const math::Bounds&, uint32_t)>& leaf) {
     if (isLeaf(link)) return leaf(link, box, depth);
     const Node& node = tree.nodes[linkIndex(link)];
-    visit(tree, node.leftLink, {node.leftLower, node.leftUpper}, depth + 1, leaf);
-    visit(tree, node.rightLink, {node.rightLower, node.rightUpper}, depth + 1, leaf);
+    visit(tree, node.leftLink, fromCells(tree.grid, node.leftBox), depth + 1, leaf);
+    visit(tree, node.rightLink, fromCells(tree.grid, node.rightBox), depth + 1, leaf);
 }
 
 class TreeOfSize : public ::testing::TestWithParam<std::pair<uint32_t, uint32_t>> {};
@@ -70,6 +70,23 @@ INSTANTIATE_TEST_SUITE_P(Sizes, TreeOfSize,
                          ::testing::Values(std::pair{1u, 4u}, std::pair{2u, 1u}, std::pair{3u, 4u},
                                            std::pair{5u, 4u}, std::pair{1000u, 1u},
                                            std::pair{50000u, 4u}));
+
+TEST(Grid, WidensBoxesByOneToThreeCells) {
+    const math::Bounds bounds{glm::vec3(-3.0f, 100.0f, 2.0f), glm::vec3(7.0f, 100.0f, 2.5f)};
+    const auto grid = gridAround(bounds);
+    const glm::vec3 cell(grid.cell);
+    EXPECT_GT(cell.y, 1e-5f) << "a flat side has cells too, larger than a float's rounding";
+    for (const math::Bounds& box :
+         {bounds, math::Bounds{glm::vec3(1.0f, 100.0f, 2.25f), glm::vec3(1.5f, 100.0f, 2.3f)}}) {
+        const math::Bounds wider = fromCells(grid, toCells(grid, box));
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_GT(box.lower[i] - wider.lower[i], 0.9f * cell[i]);
+            EXPECT_LT(box.lower[i] - wider.lower[i], 3.1f * cell[i]);
+            EXPECT_GT(wider.upper[i] - box.upper[i], 0.9f * cell[i]);
+            EXPECT_LT(wider.upper[i] - box.upper[i], 3.1f * cell[i]);
+        }
+    }
+}
 
 TEST(Tree, IsEmptyWithoutPrimitives) {
     const Tree tree = built({}, 4);
