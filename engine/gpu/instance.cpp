@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -14,7 +15,9 @@ namespace {
 
 // By name: the platform headers that define macros for these drag X11 in.
 constexpr std::array kSurfaceExtensions{"VK_KHR_surface", "VK_KHR_xcb_surface",
-                                        "VK_KHR_xlib_surface", "VK_KHR_wayland_surface"};
+                                        "VK_KHR_xlib_surface"};
+// Mesa's device selection looks for a Wayland server wherever this is on, and complains of none.
+constexpr const char* kWaylandExtension = "VK_KHR_wayland_surface";
 
 core::Result<std::vector<const char*>> chooseExtensions(bool presentable, const char* layer) {
     std::vector<VkExtensionProperties> known;
@@ -33,9 +36,11 @@ core::Result<std::vector<const char*>> chooseExtensions(bool presentable, const 
     std::vector<const char*> chosen;
     if (has(VK_EXT_DEBUG_UTILS_EXTENSION_NAME)) chosen.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     if (layer != nullptr) chosen.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
-    if (presentable)
-        std::copy_if(kSurfaceExtensions.begin(), kSurfaceExtensions.end(),
-                     std::back_inserter(chosen), has);
+    if (!presentable) return chosen;
+    std::copy_if(kSurfaceExtensions.begin(), kSurfaceExtensions.end(), std::back_inserter(chosen),
+                 has);
+    const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
+    if (wayland && has(kWaylandExtension)) chosen.push_back(kWaylandExtension);
     return chosen;
 }
 
