@@ -29,13 +29,9 @@ core::Result<tinygltf::Model> parseDocument(Json json, const GltfContext& contex
 
 /// Extensions that a file can be drawn without, for one line of warning.
 void warnOfIgnored(GltfContext& context, const std::vector<std::string>& used) {
-    static const std::vector<std::string> kRead = {
-        "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_specular",
-        "KHR_mesh_quantization", "KHR_texture_transform"};
     std::string ignored;
     for (const std::string& name : used)
-        if (std::find(kRead.begin(), kRead.end(), name) == kRead.end())
-            ignored += (ignored.empty() ? "" : ", ") + name;
+        if (!understands(name)) ignored += (ignored.empty() ? "" : ", ") + name;
     if (!ignored.empty()) context.warn("", "is drawn without {}", ignored);
 }
 
@@ -62,22 +58,32 @@ core::Result<Model> readModel(std::span<const uint8_t> bytes,
     return model;
 }
 
+/// What `body` gives, or an error for an exception: memory ran out, or a library threw.
+template <typename Body>
+core::Result<Model> withoutExceptions(const std::string& name, const Body& body) {
+    try {
+        return body();
+    } catch (const std::exception& exception) {
+        return core::error("{}: cannot be read: {}", name, exception.what());
+    }
+}
+
 }  // namespace
 
 core::Result<Model> parseGltf(std::span<const uint8_t> bytes, const std::string& name,
                               const std::optional<std::filesystem::path>& baseDirectory,
                               const GltfLimits& limits) {
-    GltfContext context(name, limits);
-    try {
+    return withoutExceptions(name, [&]() -> core::Result<Model> {
+        GltfContext context(name, limits);
         return readModel(bytes, baseDirectory, context);
-    } catch (const std::exception& exception) {  // memory ran out, or a library's own
-        return context.error("", "cannot be read: {}", exception.what());
-    }
+    });
 }
 
 core::Result<Model> loadGltf(const std::filesystem::path& path, const GltfLimits& limits) {
-    TRY(const std::vector<uint8_t> bytes, core::readFile(path));
-    return parseGltf(bytes, path.string(), path.parent_path(), limits);
+    return withoutExceptions(path.string(), [&]() -> core::Result<Model> {
+        TRY(const std::vector<uint8_t> bytes, core::readFile(path));
+        return parseGltf(bytes, path.string(), path.parent_path(), limits);
+    });
 }
 
 }  // namespace lampyris::assets

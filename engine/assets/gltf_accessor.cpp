@@ -76,7 +76,7 @@ CopyElement<Out> copierFor(int componentType) {
 }
 
 template <typename Out>
-core::Result<void> replaceSparse(const GltfSource& source, int index, const Layout& layout,
+core::Result<void> replaceSparse(GltfSource& source, int index, const Layout& layout,
                                  ElementRange range, std::vector<Out>& out) {
     const tinygltf::Accessor& accessor = source.document.accessors[static_cast<size_t>(index)];
     const auto& sparse = accessor.sparse;
@@ -88,6 +88,8 @@ core::Result<void> replaceSparse(const GltfSource& source, int index, const Layo
     const size_t valueBytes = componentBytes(layout.componentType) * layout.components;
     const auto copyIndex = copierFor<uint32_t>(indexLayout.componentType);
     const auto copyValue = copierFor<Out>(layout.componentType);
+    TRY_VOID(source.context.takeBytes(  // work, not memory: many ranges of one accessor
+        placeOf(index), uint64_t{sizeof(uint32_t)} * static_cast<uint32_t>(sparse.count)));
     int64_t previous = -1;
     for (size_t i = 0; i < static_cast<size_t>(sparse.count); ++i) {
         uint32_t element = 0;

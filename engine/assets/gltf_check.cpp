@@ -27,7 +27,7 @@ void checkExtensions(const Place& root) {
         const Place place = root.element("extensionsRequired", i);
         if (!place.json().is_string()) return place.complain("must be a string");
         const std::string& name = place.json().get_ref<const std::string&>();
-        if (std::find(kUnderstood.begin(), kUnderstood.end(), name) == kUnderstood.end())
+        if (!understands(name))
             place.complain("the file requires {}, which is not understood", name);
     }
 }
@@ -52,6 +52,10 @@ TableSizes tableSizes(const Place& root) {
             .scenes = root.length("scenes"),
             .skins = root.length("skins"),
             .textures = root.length("textures")};
+}
+
+bool understands(std::string_view extension) {
+    return std::find(kUnderstood.begin(), kUnderstood.end(), extension) != kUnderstood.end();
 }
 
 core::Result<void> checkHeader(const Json& json, const GltfContext& context) {

@@ -3,11 +3,15 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "assets/gltf_buffers.h"
 
 namespace lampyris::assets {
+
+/// Whether files may require the extension: it is read.
+bool understands(std::string_view extension);
 
 /// Checks what kind of file this is. Errors: no asset, a version other than 2, a required extension
 /// that is not understood.

@@ -6,18 +6,20 @@ namespace lampyris::assets {
 namespace {
 
 constexpr uint64_t kLastPrimitiveMode = 6;  // triangle fan
+constexpr uint64_t kLastTexcoordSet = 255;  // [chosen] far beyond any exporter
 
 void checkTextureInfo(const Place& owner, const char* key, const TableSizes& sizes) {
     if (!owner.has(key)) return;
     const Place place = owner.object(key);
     place.requiredIndex("index", sizes.textures);
-    (void)place.whole("texCoord", 0);
     (void)place.number("scale", 1.0);
     const Place transform = place.object("extensions").object("KHR_texture_transform");
     transform.numbers("offset", 2);
     transform.numbers("scale", 2);
     (void)transform.number("rotation", 0.0);
-    (void)transform.whole("texCoord", 0);
+    for (const Place& chooser : {place, transform})
+        if (chooser.whole("texCoord", 0) > kLastTexcoordSet)
+            chooser.complain("reads TEXCOORD_{}", chooser.whole("texCoord", 0));
 }
 
 void checkMaterial(const Place& place, const TableSizes& sizes) {

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "assets/gltf_source.h"
 #include "assets/transform.h"
@@ -18,8 +18,9 @@ std::optional<float> radiusIn(const tinygltf::Value& extras, GltfContext& contex
                               const std::string& place) {
     if (!extras.IsObject() || !extras.Has("radius")) return {};
     const tinygltf::Value& value = extras.Get("radius");
-    const auto radius = value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : 0.0f;
-    if (radius > 0.0f && std::isfinite(radius)) return radius;
+    const double radius = value.IsNumber() ? value.GetNumberAsDouble() : 0.0;
+    if (radius > std::numeric_limits<float>::min() && radius < std::numeric_limits<float>::max())
+        return static_cast<float>(radius);
     context.warn(place + "/extras/radius", "is no length above 0 and is left out");
     return {};
 }
@@ -153,7 +154,11 @@ core::Result<void> readNodes(GltfSource& source, const Primitives& primitives, M
         for (const uint32_t child : to.children)
             model.nodes[child].parent = static_cast<int32_t>(i);
         readTransform(from, to, source.context, place);
-        if (from.mesh >= 0) to.primitives = primitives[static_cast<size_t>(from.mesh)];
+        if (from.mesh >= 0) {
+            const auto& drawn = primitives[static_cast<size_t>(from.mesh)];
+            TRY_VOID(source.context.takeBytes(place, drawn.size() * sizeof(ModelPrimitive)));
+            to.primitives = drawn;
+        }
         if (from.camera >= 0) to.camera = cameras[static_cast<size_t>(from.camera)];
         to.skin = from.skin;
         to.light = lightOf(from);

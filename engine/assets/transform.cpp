@@ -1,6 +1,7 @@
 #include "assets/transform.h"
 
 #include <cmath>
+#include <limits>
 
 namespace lampyris::assets {
 namespace {
@@ -43,7 +44,8 @@ DecomposedMatrix decompose(const glm::dmat4& matrix) {
     axes = orthonormal(axes);
     if (glm::determinant(axes) < 0.0) axes[2] = -axes[2];  // only where a scale is 0
     parts.rotation = glm::quat(glm::quat_cast(axes));
-    parts.scale = glm::vec3(scale);
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    parts.scale = glm::vec3(glm::clamp(scale, -kLargest, kLargest));
     return parts;
 }
 
