@@ -18,6 +18,7 @@ namespace {
 constexpr uint32_t kPhotonsPerPathGuess = 4;
 constexpr uint32_t kPairsPerPhotonGuess = 64;
 constexpr uint32_t kLeastPairs = 1u << 16;
+constexpr uint64_t kMostPairsGuessed = 1u << 22;
 
 /// Half as much again, in steps that keep the graph's layout from changing at every frame.
 uint32_t grown(uint32_t needed, uint32_t step, uint32_t most) {
@@ -75,10 +76,9 @@ void Renderer::makeRoom(const FrameRequest& request) {
     lastBatch_ = largest;
     room_.photons = static_cast<uint32_t>(
         std::clamp<uint64_t>(guess, std::max(room_.photons, 64u), photons::kMaxPhotonCapacity));
-    const uint64_t pairGuess =
-        std::max<uint64_t>(uint64_t{room_.photons} * kPairsPerPhotonGuess, kLeastPairs);
-    room_.pairs =
-        static_cast<uint32_t>(std::clamp<uint64_t>(pairGuess, room_.pairs, kMaxPairCapacity));
+    const uint64_t pairGuess = std::clamp<uint64_t>(uint64_t{room_.photons} * kPairsPerPhotonGuess,
+                                                    kLeastPairs, kMostPairsGuessed);
+    room_.pairs = static_cast<uint32_t>(std::max<uint64_t>(pairGuess, room_.pairs));
 }
 
 DrawnFrame Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
