@@ -162,6 +162,7 @@ std::vector<SnapshotCamera> makeCameras(const ecs::World& world) {
     std::sort(ordered.begin(), ordered.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<SnapshotCamera> cameras;
+    cameras.reserve(ordered.size());
     for (auto& [slot, camera] : ordered) cameras.push_back(std::move(camera));
     return cameras;
 }

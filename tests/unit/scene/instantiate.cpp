@@ -61,9 +61,9 @@ ecs::Entity named(const ecs::World& world, const std::string& name) {
 class Instantiate : public testing::Test {
  protected:
     Instantiate() { world.setResource(Library{}); }
-    void load(assets::Model model) {
+    void load(const assets::Model& model) {
         testing::internal::CaptureStderr();
-        instantiate(world, std::move(model), "file.glb");
+        instantiate(world, model, "file.glb");
         warnings = testing::internal::GetCapturedStderr();
         updateWorldTransforms(world);
     }
@@ -117,7 +117,7 @@ TEST_F(Instantiate, TheNodesRadiusComesBeforeTheLights) {
     EXPECT_EQ(world.get<SphereLight>(named(world, "lamp")).radiusMetres, 0.2f);
     model.nodes[3].lightRadiusMetres = 0.3f;
     model.nodes[3].name = "second";
-    load(std::move(model));
+    load(model);
     EXPECT_EQ(world.get<SphereLight>(named(world, "second")).radiusMetres, 0.3f);
 }
 
@@ -126,7 +126,7 @@ TEST_F(Instantiate, ASpotKeepsItsConesAsCosines) {
     model.lights[0].type = assets::LightType::Spot;
     model.lights[0].innerConeRadians = 0.3f;
     model.lights[0].outerConeRadians = 0.6f;
-    load(std::move(model));
+    load(model);
     const auto& light = world.get<SphereLight>(named(world, "lamp"));
     EXPECT_NEAR(light.cosOuterCone, std::cos(0.6f), 1e-6f);
     EXPECT_NEAR(light.cosInnerCone, std::cos(0.3f), 1e-6f);
@@ -137,7 +137,7 @@ TEST_F(Instantiate, DirectionalLightsAreLeftOutWithOneWarning) {
     model.lights[0].type = assets::LightType::Directional;
     model.nodes[4].light = 0;
     model.roots.push_back(4);
-    load(std::move(model));
+    load(model);
     EXPECT_EQ(world.count<SphereLight>(), 0u);
     EXPECT_EQ(std::count(warnings.begin(), warnings.end(), '\n'), 1);
     EXPECT_NE(warnings.find("file.glb"), std::string::npos);
@@ -155,7 +155,7 @@ TEST_F(Instantiate, DeepHierarchiesNeedNoStack) {
     }
     model.nodes.back().name = "last";
     model.roots = {0};
-    load(std::move(model));
+    load(model);
     EXPECT_EQ(world.get<WorldTransform>(named(world, "last")).matrix[3].x, 20000.0f);
 }
 
