@@ -1,5 +1,8 @@
 #include "frame_loop.h"
 
+#include <algorithm>
+
+#include "core/log.h"
 #include "scene/extract.h"
 #include "scene/load.h"
 #include "scene/systems/world_transforms.h"
@@ -34,6 +37,13 @@ core::Result<void> checkPaths(uint32_t paths, const gpu::Device& device) {
         bytes >> 20, most >> 20);
 }
 
+core::Result<void> checkSize(graph::Extent size, const gpu::Device& device) {
+    const uint32_t most = device.limits().core.maxImageDimension2D;
+    if (std::max(size.width, size.height) <= most) return {};
+    return core::error("--size {}x{}: the device's limit maxImageDimension2D is {}", size.width,
+                       size.height, most);
+}
+
 }  // namespace
 
 core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options, bool presentable) {
@@ -42,6 +52,7 @@ core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options,
     loop->request.size = sizeOf(options);
     loop->request.settings = settingsOf(options);
     loop->outputNode_ = options.outputNode;
+    TRY_VOID(checkSize(loop->request.size, *loop->device_));
     TRY_VOID(checkPaths(loop->request.settings.photonPaths, *loop->device_));
     TRY(execute::Executor executor, execute::Executor::create(*loop->device_));
     loop->executor_.emplace(std::move(executor));
@@ -81,6 +92,7 @@ core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, bool readBack,
                            fmt::join(frame.declared.publishedNames(), ", "));
     TRY(frame.outcome,
         renderer_->run(frame.declared, drawn, readBack ? outputNode_ : std::string{}));
+    core::releaseLog();
     return frame;
 }
 

@@ -2,7 +2,9 @@
 // call.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <vector>
 
 #include "command.h"
 #include "core/log.h"
@@ -24,6 +26,15 @@ int wrongCall(const CLI::App& app, std::string line) {
     return kWrongCall;
 }
 
+/// One line: the error, and what the first warning before it told.
+int fail(const core::Error& error, const std::vector<std::string>& warnings) {
+    std::string line = error.message;
+    if (!warnings.empty()) line += fmt::format(" ({})", warnings.front());
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    core::logError("{}", line);
+    return kFailed;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -38,14 +49,19 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return e.get_exit_code() == 0 ? app.exit(e) : wrongCall(app, e.what());
+        if (e.get_exit_code() == 0) return app.exit(e);
+        const bool unknown = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
+        return wrongCall(app,
+                         unknown ? fmt::format("there is no subcommand '{}'", argv[1]) : e.what());
     }
     if (called.check) {
         const auto checked = called.check();
         if (!checked.ok()) return wrongCall(app, checked.error().message);
     }
+    // Warnings are held back until the first frame, so that a failure is one line.
+    core::holdLog();
     const auto result = called.run();
-    if (result.ok()) return 0;
-    core::logError("{}", result.error().message);
-    return kFailed;
+    if (!result.ok()) return fail(result.error(), core::takeHeldLog());
+    core::releaseLog();
+    return 0;
 }

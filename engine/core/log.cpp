@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <memory>
+#include <mutex>
 
 namespace lampyris::core {
 namespace {
@@ -45,13 +46,52 @@ spdlog::logger& logger() {
     return *instance;
 }
 
+struct Held {
+    std::mutex mutex;
+    bool holding = false;
+    std::vector<std::pair<LogLevel, std::string>> lines;
+};
+
+Held& held() {
+    static Held instance;
+    return instance;
+}
+
+std::vector<std::pair<LogLevel, std::string>> endHolding() {
+    const std::lock_guard lock(held().mutex);
+    held().holding = false;
+    return std::exchange(held().lines, {});
+}
+
+bool keepBack(LogLevel level, const std::string& message) {
+    const std::lock_guard lock(held().mutex);
+    if (held().holding) held().lines.emplace_back(level, message);
+    return held().holding;
+}
+
 }  // namespace
+
+void holdLog() {
+    const std::lock_guard lock(held().mutex);
+    held().holding = true;
+}
+
+void releaseLog() {
+    for (const auto& [level, message] : endHolding()) logLine(level, message);
+}
+
+std::vector<std::string> takeHeldLog() {
+    std::vector<std::string> messages;
+    for (auto& [level, message] : endHolding()) messages.push_back(std::move(message));
+    return messages;
+}
 
 void setLogLevel(LogLevel level) {
     logger().set_level(spdlogLevel(level));
 }
 
 void logLine(LogLevel level, const std::string& message) {
+    if (!logger().should_log(spdlogLevel(level)) || keepBack(level, message)) return;
     logger().log(spdlogLevel(level), "{}{}", prefix(level), message);
 }
 

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace lampyris::core {
 
@@ -15,6 +16,13 @@ void setLogLevel(LogLevel level);
 
 /// Writes one line, "warning: …" for Warning and "error: …" for Error.
 void logLine(LogLevel level, const std::string& message);
+
+/// Keeps lines back from now on, until one of the next two ends that.
+void holdLog();
+/// Writes the lines that were kept back.
+void releaseLog();
+/// Gives the lines that were kept back instead of writing them.
+[[nodiscard]] std::vector<std::string> takeHeldLog();
 
 template <typename... Args>
 void logDebug(fmt::format_string<Args...> format, Args&&... args) {

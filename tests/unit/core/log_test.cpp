@@ -33,5 +33,24 @@ TEST(Log, PrintsBracesOfAMessageAsTheyAre) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "{\"json\": {}}\n");
 }
 
+TEST(Log, KeepsLinesBackUntilTheyAreReleasedOrTaken) {
+    testing::internal::CaptureStderr();
+    holdLog();
+    logWarning("first");
+    logInfo("second");
+    logDebug("unseen");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    testing::internal::CaptureStderr();
+    releaseLog();
+    logInfo("third");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "warning: first\nsecond\nthird\n");
+    testing::internal::CaptureStderr();
+    holdLog();
+    logWarning("fourth");
+    EXPECT_EQ(takeHeldLog(), std::vector<std::string>{"fourth"});
+    releaseLog();
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 }  // namespace
 }  // namespace lampyris::core

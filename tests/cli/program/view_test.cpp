@@ -1,0 +1,133 @@
+// `lampyris view` on a display of its own: it shows frames, and ends with 0 when the user ends it.
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "cli/program/program.h"
+
+namespace lampyris::test {
+namespace {
+
+constexpr int kSeconds = 60;
+
+/// Asks again and again until the answer is yes.
+bool eventually(const auto& question) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(kSeconds);
+    while (std::chrono::steady_clock::now() < end) {
+        if (question()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return false;
+}
+
+class View : public testing::Test {
+ protected:
+    /// A display server on a number that nobody has.
+    void SetUp() override {
+        for (int number = 120; number < 180; ++number) {
+            const std::string name = std::to_string(number);
+            const std::string socket = "/tmp/.X11-unix/X" + name;
+            if (std::filesystem::exists(socket) ||
+                std::filesystem::exists("/tmp/.X" + name + "-lock"))
+                continue;
+            server_ = std::make_unique<Process>(
+                Arguments{"Xvfb", ":" + name, "-screen", "0", "800x600x24", "-nolisten", "tcp"});
+            // Another test may have taken it in between; then this server ends at once.
+            const bool up =
+                eventually([&] { return !server_->running() || std::filesystem::exists(socket); });
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            if (!up || !server_->running()) continue;
+            display_ = "DISPLAY=:" + name;
+            return;
+        }
+        FAIL() << "no display could be started";
+    }
+
+    [[nodiscard]] std::unique_ptr<Process> start(const Arguments& command) const {
+        return std::make_unique<Process>(command, std::vector{display_});
+    }
+    [[nodiscard]] std::unique_ptr<Process> startView(const Arguments& more = {"--size",
+                                                                              "160x90"}) const {
+        Arguments command{programPath(), "view", "cornell"};
+        command.insert(command.end(), more.begin(), more.end());
+        return start(command);
+    }
+    /// Standard output of xdotool.
+    std::string ask(const Arguments& arguments) const {
+        Arguments command{"xdotool"};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        return start(command)->wait(kSeconds).out;
+    }
+    /// Waits until the window's title tells of a frame that was shown.
+    [[nodiscard]] bool showsFrames() const {
+        return eventually([&] {
+            return ask({"search", "--name", "lampyris: cornell, [0-9.]+ ms", "getwindowname"})
+                       .find(" ms") != std::string::npos;
+        });
+    }
+
+    std::unique_ptr<Process> server_;
+    std::string display_;
+};
+
+void expectQuietEnd(Process& view) {
+    const Ran ran = view.wait(kSeconds);
+    EXPECT_EQ(ran.code, 0) << "signal " << ran.signal;
+    EXPECT_EQ(ran.err, "");
+}
+
+TEST_F(View, EndsWithEscape) {
+    const auto view = startView();
+    ASSERT_TRUE(showsFrames());
+    ask({"search", "--name", "lampyris", "windowfocus", "--sync", "key", "Escape"});
+    expectQuietEnd(*view);
+}
+
+TEST_F(View, EndsWithTheWindowManagersClose) {
+    const auto manager = start({"openbox", "--sm-disable"});
+    ASSERT_TRUE(eventually([&] { return !ask({"get_num_desktops"}).empty(); })) << "no openbox";
+    const auto view = startView();
+    ASSERT_TRUE(showsFrames());
+    // What the close button does, by the manager's key for it.
+    ASSERT_TRUE(eventually([&] { return !ask({"getactivewindow"}).empty(); }));
+    ask({"key", "alt+F4"});
+    expectQuietEnd(*view);
+}
+
+TEST_F(View, EndsAfterTheFramesAskedFor) {
+    const ScratchFolder folder;
+    const auto view = startView({"--size", "160x90", "--frames", "3", "--warmup", "1",
+                                 "--validation", "--report", folder / "a.json"});
+    expectQuietEnd(*view);
+    const auto report = jsonOf(folder / "a.json");
+    EXPECT_EQ(report["frames"], 3);
+    EXPECT_EQ(report["validation_messages"], 0);
+}
+
+TEST_F(View, MarksAFrameThatOverflowedAndDrawsTheNextOneRight) {
+    // Every photon reaches every tile: the first guess is too small.
+    const ScratchFolder folder;
+    const auto view =
+        startView({"--radius", "100", "--gather-divisor", "8", "--photons", "300", "--size",
+                   "640x360", "--frames", "3", "--report", folder / "a.json"});
+    bool marked = false;
+    EXPECT_TRUE(eventually([&] {
+        marked =
+            marked || ask({"search", "--name", "INVALID FRAME", "getwindowname"}).find("dropped") !=
+                          std::string::npos;
+        return marked || !view->running();
+    }));
+    expectQuietEnd(*view);
+    const auto report = jsonOf(folder / "a.json");
+    EXPECT_TRUE(report["valid"].get<bool>());
+    EXPECT_EQ(report["frames"], 2) << "the one that overflowed is no measurement";
+}
+
+TEST(ViewWithoutADisplay, SaysSo) {
+    const Ran ran = run({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", programPath(), "view"});
+    expectFailure(ran, "no display");
+}
+
+}  // namespace
+}  // namespace lampyris::test

@@ -1,0 +1,95 @@
+// Calls that cannot be served: exit 2, one line, nothing written.
+#include "cli/program/program.h"
+
+namespace lampyris::test {
+namespace {
+
+TEST(WrongCall, NamesWhatIsWrong) {
+    expectWrongCall(lampyris({}), "subcommand");
+    expectWrongCall(lampyris({"paint"}), "paint");
+    expectWrongCall(lampyris({"reference", "cornell"}), "reference");
+    expectWrongCall(lampyris({"render"}), "scene");
+    expectWrongCall(lampyris({"render", "cornell"}), "--output");
+    expectWrongCall(lampyris({"bench"}), "name");
+    expectWrongCall(lampyris({"bench", "nothing"}), "nothing");
+    expectWrongCall(lampyris({"info", "--size", "1x1"}), "--size");
+}
+
+TEST(WrongCall, LeavesNoFile) {
+    const ScratchFolder folder;
+    const std::vector<std::pair<Arguments, std::string>> calls{
+        {{"--size", "0x90"}, "0x90"},
+        {{"--size", "160x0"}, "160x0"},
+        {{"--size", "160"}, "160"},
+        {{"--size", "-1x90"}, "-1x90"},
+        {{"--size", "99999999999x90"}, "99999999999x90"},
+        {{"--size", "big"}, "big"},
+        {{"--size", "160x90x2"}, "160x90x2"},
+        {{"--frames", "0"}, "--frames"},
+        {{"--frames", "many"}, "--frames"},
+        {{"--warmup", "-1"}, "--warmup"},
+        {{"--photons", "0"}, "--photons"},
+        {{"--photons", "-5"}, "--photons"},
+        {{"--photons", "99999999999"}, "--photons"},
+        {{"--radius", "0"}, "--radius"},
+        {{"--radius", "-1"}, "--radius"},
+        {{"--radius", "nan"}, "--radius"},
+        {{"--radius", "inf"}, "--radius"},
+        {{"--gather-divisor", "0"}, "--gather-divisor"},
+        {{"--max-bounces", "-1"}, "--max-bounces"},
+        {{"--max-bounces", "100000"}, "--max-bounces"},
+        {{"--pipeline", "fast"}, "fast"},
+        {{"--quality", "best"}, "best"},
+        {{"--gather", "both"}, "both"},
+        {{"--gather", "final"}, "not available"},
+        {{"--history", "4"}, "--history"},
+        {{"--reseed", "maybe"}, "maybe"},
+        {{"--retrace", "none"}, "none"},
+        {{"--tonemap", "aces"}, "aces"},
+        {{"--exposure", "bright"}, "--exposure"},
+        {{"--exposure", "nan"}, "--exposure"},
+        {{"--time", "inf"}, "--time"},
+        {{"--seed", "x"}, "--seed"},
+        {{"--seed", "-1"}, "--seed"},
+        {{"--light-cutoff", "-0.1"}, "--light-cutoff"},
+        {{"--graph", folder / "g.svg"}, ".dot or .json"},
+        {{"--report", folder / "r.txt"}, ".json"},
+        {{"--trace", folder / "t.txt"}, ".json"},
+        {{"--colour"}, "--colour"},
+        {{"--pipeline", "thesis", "--max-bounces", "2"}, "one bounce"},
+    };
+    for (const auto& [more, what] : calls) {
+        SCOPED_TRACE(testing::PrintToString(more));
+        Arguments arguments{"render", "cornell", "-o", folder / "a.png"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        expectWrongCall(lampyris(arguments), what);
+    }
+    expectWrongCall(render("cornell", folder / "a.jpg"), ".png or .exr");
+    expectWrongCall(render("cornell", folder / "a"), ".png or .exr");
+    EXPECT_EQ(folder.files(), 0u);
+}
+
+TEST(WrongCall, HelpIsNone) {
+    for (const char* command : {"render", "view", "bench", "info"}) {
+        const Ran ran = lampyris({command, "--help"});
+        EXPECT_EQ(ran.code, 0);
+        EXPECT_EQ(ran.err, "");
+        EXPECT_NE(ran.out.find("--device"), std::string::npos) << ran.out;
+    }
+    const Ran ran = lampyris({"--help"});
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_NE(ran.out.find("render"), std::string::npos);
+}
+
+TEST(WrongCall, ThesisTakesItsOneBounceOrNone) {
+    const ScratchFolder folder;
+    EXPECT_EQ(
+        render("cornell", folder / "a.png", {"--pipeline", "thesis", "--max-bounces", "1"}).code,
+        0);
+    EXPECT_EQ(
+        render("cornell", folder / "a.png", {"--pipeline", "thesis", "--max-bounces", "0"}).code,
+        0);
+}
+
+}  // namespace
+}  // namespace lampyris::test

@@ -1,0 +1,52 @@
+#include "fly_camera.h"
+
+#include <gtest/gtest.h>
+
+namespace lampyris::sandbox {
+namespace {
+
+window::Input holding(char key) {
+    window::Input input;
+    input.held[static_cast<size_t>(key)] = true;
+    return input;
+}
+
+void expectNear(const glm::vec3& a, const glm::vec3& b) {
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-5f);
+}
+
+TEST(FlyCamera, KeysMoveAlongItsOwnAxes) {
+    // Looks along +x.
+    const glm::mat4 camera =
+        glm::inverse(glm::lookAt(glm::vec3(1, 2, 3), glm::vec3(2, 2, 3), glm::vec3(0, 1, 0)));
+    const auto after = [&](char key) {
+        return glm::vec3(fly(camera, holding(key), 4.0f, 0.5f)[3]);
+    };
+    expectNear(after('W'), {3, 2, 3});
+    expectNear(after('S'), {-1, 2, 3});
+    expectNear(after('D'), {1, 2, 5});
+    expectNear(after('A'), {1, 2, 1});
+    expectNear(after('E'), {1, 4, 3});
+    expectNear(after('Q'), {1, 0, 3});
+    expectNear(after('X'), {1, 2, 3});
+}
+
+TEST(FlyCamera, DraggingTurnsItAndItStaysUpright) {
+    window::Input input;
+    input.movedX = 100.0;
+    EXPECT_EQ(fly(glm::mat4(1.0f), input, 1.0f, 1.0f), glm::mat4(1.0f)) << "no button is held";
+    input.buttons[0] = true;
+    const glm::mat4 right = fly(glm::mat4(1.0f), input, 1.0f, 1.0f);
+    EXPECT_GT(-right[2].x, 0.1f) << "looks to the right";
+    EXPECT_NEAR(right[0].y, 0.0f, 1e-5f);
+    input.movedX = 0.0;
+    input.movedY = 20.0;
+    glm::mat4 down(1.0f);
+    for (int i = 0; i < 100; ++i) down = fly(down, input, 1.0f, 1.0f);
+    EXPECT_LT(-down[2].y, -0.9f) << "looks down";
+    EXPECT_GT(down[1].y, 0.0f) << "and not over";
+    expectNear(glm::cross(glm::vec3(down[0]), glm::vec3(down[1])), glm::vec3(down[2]));
+}
+
+}  // namespace
+}  // namespace lampyris::sandbox
