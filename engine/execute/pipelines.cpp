@@ -97,6 +97,7 @@ core::Result<gpu::Pipeline> Pipelines::makeCompute(
     TRY_VOID(checkWorkgroup(*device_, shader));
     TRY(VkShaderModule shaderModule, module(shader));
     std::vector<gpu::SpecialisationValue> values;
+    values.reserve(specialisations.size());
     for (const graph::Specialisation& one : specialisations) values.push_back({one.id, one.value});
     return gpu::createComputePipeline(*device_, {.module = shaderModule,
                                                  .layout = layout.pipeline.get(),
@@ -121,6 +122,7 @@ core::Result<gpu::Pipeline> Pipelines::makeRaster(const graph::RasterPipeline& p
             {attribute.location, attribute.stream, vertexFormat(attribute.components), 0});
     }
     std::vector<VkVertexInputBindingDescription> streams;
+    streams.reserve(byStream.size());
     for (const auto& [stream, description] : byStream) streams.push_back(description);
     options.layout = layout.pipeline.get();
     options.streams = streams;

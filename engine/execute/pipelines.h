@@ -26,7 +26,9 @@ struct Program {
 struct AttachmentFormats {
     std::vector<VkFormat> colours;  ///< by location
     VkFormat depth = VK_FORMAT_UNDEFINED;
-    auto operator<=>(const AttachmentFormats&) const = default;
+    bool operator<(const AttachmentFormats& other) const {
+        return std::tie(colours, depth) < std::tie(other.colours, other.depth);
+    }
 };
 
 class Pipelines {

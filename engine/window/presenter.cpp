@@ -1,6 +1,7 @@
 #include "window/presenter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/log.h"
@@ -62,7 +63,7 @@ VkRect2D fitted(VkExtent2D picture, VkExtent2D window) {
     const double scale = std::min(static_cast<double>(window.width) / picture.width,
                                   static_cast<double>(window.height) / picture.height);
     const auto scaled = [&](uint32_t side, uint32_t most) {
-        return std::clamp(static_cast<uint32_t>(side * scale + 0.5), 1u, most);
+        return std::clamp(static_cast<uint32_t>(std::lround(side * scale)), 1u, most);
     };
     const VkExtent2D size{scaled(picture.width, window.width),
                           scaled(picture.height, window.height)};
