@@ -23,6 +23,7 @@ struct Entity {
     [[nodiscard]] uint32_t index() const { return bits & kIndexMask; }
     [[nodiscard]] uint32_t generation() const { return bits >> kIndexBits; }
     [[nodiscard]] bool valid() const { return bits != kNone; }
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 behind <=> for a pointer
     auto operator<=>(const Entity&) const = default;
 };
 
