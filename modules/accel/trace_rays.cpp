@@ -10,8 +10,9 @@ graph::Buffer addTraceRays(graph::Frame& frame, const AccelHandles& accel,
     auto node = frame.compute("trace_rays", shaders::traceRays);
     bindTraversal(node, accel, scene);
     node.texels(shared::SLOT_TRACE_RAYS, rays, graph::Format::RGBA32Float)
-        .push(shared::TraceRaysPush{settings.rayCount, settings.withSurface ? 1u : 0u,
-                                    settings.withOcclusion ? 1u : 0u, 0});
+        .specialise(shared::SPEC_TRACE_SURFACE, settings.withSurface ? 1 : 0)
+        .specialise(shared::SPEC_TRACE_OCCLUSION, settings.withOcclusion ? 1 : 0)
+        .push(shared::TraceRaysPush{settings.rayCount, 0, 0, 0});
     const graph::Buffer hits = node.write(
         shared::SLOT_TRACE_HITS,
         frame.buffer("ray hits", {uint64_t{settings.rayCount} * sizeof(shared::GpuHit)}));

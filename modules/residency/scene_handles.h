@@ -26,7 +26,9 @@ struct SceneHandles {
     uint32_t materialCount = 0;
     uint32_t lightCount = 0;
     uint32_t emitterCount = 0;
-    bool anyMasked = false;  ///< an instance is alpha-masked
+    bool anyMasked = false;    ///< an instance is alpha-masked
+    bool anyTextures = false;  ///< a material has a texture
+    bool anyColours = false;   ///< a mesh has vertex colours
 };
 
 /// One indexed draw of the raster nodes. Offsets are for Draw::streamOffsets; a stream that the

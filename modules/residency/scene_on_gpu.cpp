@@ -63,6 +63,8 @@ core::Result<void> SceneOnGpu::Parts::updateInstances(const scene::SceneSnapshot
             return snapshot.materials[instance.material].value->alphaMode ==
                    assets::AlphaMode::Mask;
         });
+    counts.anyColours = std::any_of(snapshot.meshes.begin(), snapshot.meshes.end(),
+                                    [](const auto& mesh) { return !mesh.value->colours.empty(); });
     counts.instanceCount = static_cast<uint32_t>(snapshot.instances.size());
     return {};
 }
@@ -76,6 +78,7 @@ core::Result<void> SceneOnGpu::Parts::updateMaterials(const scene::SceneSnapshot
         return packMaterial(*snapshot.materials[i].value, textures.layers());
     };
     TRY(uploaded.materialBytes, materials.follow(snapshot.materials.size(), keyOf, pack));
+    counts.anyTextures = textures.any();
     counts.materialCount = static_cast<uint32_t>(snapshot.materials.size());
     return {};
 }
@@ -213,7 +216,9 @@ void bindMaterials(graph::ComputeNode& node, const SceneHandles& scene) {
         .texels(shared::SLOT_TEXCOORDS, scene.texcoords, graph::Format::RGBA32Float)
         .texels(shared::SLOT_COLOURS, scene.colours, graph::Format::RGBA32Float)
         .sample(shared::SLOT_COLOUR_TEXTURES, scene.colourTextures, kLinear, kRepeat)
-        .sample(shared::SLOT_DATA_TEXTURES, scene.dataTextures, kLinear, kRepeat);
+        .sample(shared::SLOT_DATA_TEXTURES, scene.dataTextures, kLinear, kRepeat)
+        .specialise(shared::SPEC_SCENE_TEXTURES, scene.anyTextures ? 1 : 0)
+        .specialise(shared::SPEC_SCENE_COLOURS, scene.anyColours ? 1 : 0);
 }
 
 }  // namespace lampyris::residency

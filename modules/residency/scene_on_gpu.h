@@ -10,7 +10,6 @@
 #include "residency/scene_handles.h"
 #include "scene/snapshot.h"
 #include "shared/scene.h"
-#include "shared/scene.h"
 
 namespace lampyris::gpu {
 class Device;

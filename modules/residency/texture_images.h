@@ -21,6 +21,7 @@ class TextureImages {
     /// Grows whenever an image's layer changes: materials must be packed anew.
     [[nodiscard]] uint64_t layoutVersion() const { return layoutVersion_; }
     [[nodiscard]] const TextureLayers& layers() const { return plan_.layers; }
+    [[nodiscard]] bool any() const { return !plan_.colour.empty() || !plan_.data.empty(); }
     [[nodiscard]] uint64_t bytes() const;
 
  private:

@@ -7,6 +7,8 @@
 layout(local_size_x = 64) in;
 layout(set = 0, binding = SLOT_TRACE_RAYS) uniform samplerBuffer rays;
 layout(set = 0, binding = SLOT_TRACE_HITS, std430) writeonly buffer Hits { GpuHit hits[]; };
+layout(constant_id = SPEC_TRACE_SURFACE) const uint withSurface = 0u;
+layout(constant_id = SPEC_TRACE_OCCLUSION) const uint withOcclusion = 0u;
 layout(push_constant) uniform Push { TraceRaysPush push; };
 
 void main() {
@@ -20,11 +22,11 @@ void main() {
         result.tBary = vec4(hit.t, hit.bary, 0.0);
         result.instance = hit.instance;
         result.primitive = hit.primitive;
-        if (push.withSurface != 0u) {
+        if (withSurface != 0u) {
             result.normal = vec4(hit.normalWorld, 0.0);
             result.albedo = vec4(hitAlbedo(hit), 0.0);
         }
     }
-    if (push.withOcclusion != 0u) result.occluded = traceAny(from.xyz, towards.xyz, from.w, towards.w) ? 1u : 0u;
+    if (withOcclusion != 0u) result.occluded = traceAny(from.xyz, towards.xyz, from.w, towards.w) ? 1u : 0u;
     hits[index] = result;
 }

@@ -4,6 +4,8 @@
 #include "lib/texture_lookup.glsl"
 #include "shared/scene.h"
 
+layout(constant_id = SPEC_SCENE_TEXTURES) const uint sceneTextures = 1u;
+layout(constant_id = SPEC_SCENE_COLOURS) const uint sceneColours = 1u;
 layout(set = 0, binding = SLOT_INSTANCES, std430) readonly buffer Instances { GpuInstance instances[]; };
 layout(set = 0, binding = SLOT_MATERIALS, std430) readonly buffer Materials { GpuMaterial materials[]; };
 layout(set = 0, binding = SLOT_INDICES) uniform usamplerBuffer meshIndices;
@@ -40,10 +42,10 @@ vec4 baseColourAt(uint instance, uint primitive, vec2 bary) {
     uint material = instances[instance].material;
     vec4 colour = materials[material].baseColour;
     uint firstColour = instances[instance].firstColour;
-    if (firstColour != SCENE_NONE)
+    if (sceneColours != 0u && firstColour != SCENE_NONE)
         colour *= cornerMix(meshColours, firstColour, instances[instance].firstIndex, primitive, bary);
     uint use = materials[material].baseColourTexture;
-    if (use != SCENE_NONE)
+    if (sceneTextures != 0u && use != SCENE_NONE)
         colour *= lookUpTexture(colourTextures, use, texcoordsAt(instance, primitive, bary), vec4(1.0));
     return colour;
 }
@@ -60,7 +62,7 @@ vec3 hitAlbedo(Hit hit) {
     uint material = instances[hit.instance].material;
     float metallic = materials[material].metallic;
     uint use = materials[material].metallicRoughnessTexture;
-    if (metallic > 0.0 && use != SCENE_NONE)
+    if (sceneTextures != 0u && metallic > 0.0 && use != SCENE_NONE)
         metallic *= lookUpTexture(dataTextures, use, texcoordsAt(hit.instance, hit.primitive, hit.bary), vec4(1.0)).b;
     return baseColourAt(hit.instance, hit.primitive, hit.bary).rgb * (1.0 - metallic);
 }
@@ -69,9 +71,10 @@ vec3 hitAlbedo(Hit hit) {
 vec3 hitEmission(Hit hit) {
     uint material = instances[hit.instance].material;
     if ((materials[material].flags & MATERIAL_EMISSIVE) == 0u) return vec3(0.0);
-    vec4 texel = lookUpTexture(colourTextures, materials[material].emissiveTexture,
-                               texcoordsAt(hit.instance, hit.primitive, hit.bary), vec4(1.0));
-    return materials[material].emissiveRadiance.rgb * texel.rgb;
+    vec3 radiance = materials[material].emissiveRadiance.rgb;
+    if (sceneTextures == 0u) return radiance;
+    return radiance * lookUpTexture(colourTextures, materials[material].emissiveTexture,
+                                    texcoordsAt(hit.instance, hit.primitive, hit.bary), vec4(1.0)).rgb;
 }
 
 #endif

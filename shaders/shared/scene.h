@@ -18,6 +18,10 @@ LAMPYRIS_SLOT(SLOT_LIGHTS, 26u);            // storage buffer of GpuLight
 LAMPYRIS_SLOT(SLOT_EMITTERS, 27u);          // storage buffer of GpuEmitter
 LAMPYRIS_SLOT(SLOT_EMITTER_TRIANGLES, 28u); // texels RGBA32Float: EMITTER_TEXELS a triangle
 
+// Specialization constants of lib/scene_material.glsl: 0 where the scene has none, so that looking costs nothing.
+LAMPYRIS_SLOT(SPEC_SCENE_TEXTURES, 24u);
+LAMPYRIS_SLOT(SPEC_SCENE_COLOURS, 25u);
+
 // Says that an instance has no such attribute, a material no such texture.
 LAMPYRIS_SLOT(SCENE_NONE, 0xffffffffu);
 

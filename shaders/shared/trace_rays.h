@@ -9,6 +9,10 @@ LAMPYRIS_SHARED_BEGIN
 LAMPYRIS_SLOT(SLOT_TRACE_RAYS, 0u);  // texels RGBA32Float, a GpuRay in two
 LAMPYRIS_SLOT(SLOT_TRACE_HITS, 1u);
 
+// Specialization constants: what is asked for beside the hit. What is not must cost nothing in a measurement.
+LAMPYRIS_SLOT(SPEC_TRACE_SURFACE, 0u);
+LAMPYRIS_SLOT(SPEC_TRACE_OCCLUSION, 1u);
+
 struct GpuRay {
     vec4 originTMin;
     vec4 directionTMax;
@@ -26,9 +30,7 @@ struct GpuHit {
 
 struct TraceRaysPush {
     uint rayCount;
-    uint withSurface;
-    uint withOcclusion;
-    uint pad0;
+    uint pad0, pad1, pad2;
 };
 
 LAMPYRIS_SHARED_END
