@@ -95,16 +95,25 @@ DrawnFrame Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
     return drawFrame(frame, in, settings, room_);
 }
 
+void Renderer::shrinkBatches(double share) {
+    const uint32_t batch = std::min(largestBatch_, lastBatch_);
+    largestBatch_ = std::max(1u, static_cast<uint32_t>(batch * std::min(share, 0.9)));
+}
+
 bool Renderer::grow(const shared::FrameCounters& counters) {
+    const bool dropped = counters.photonsDropped > 0 || counters.pairsDropped > 0;
+    const bool crowded = counters.mostInTile > kMostPhotonsInTile && lastBatch_ > 1;
     if (counters.photonsDropped > 0)
         room_.photons = grown(counters.photonsNeeded, 64, photons::kMaxPhotonCapacity);
-    if (counters.pairsDropped > 0) {
-        // Lists that cannot hold a batch get smaller batches.
-        if (counters.pairsNeeded > kMaxPairCapacity)
-            largestBatch_ = std::max(1u, std::min(largestBatch_, lastBatch_) / 2);
+    if (counters.pairsDropped > 0)
         room_.pairs = grown(counters.pairsNeeded, shared::SORT_BLOCK, kMaxPairCapacity);
-    }
-    return counters.photonsDropped > 0 || counters.pairsDropped > 0;
+    // What no room can hold, and tiles that no loop can walk, take smaller batches.
+    const double most =
+        std::max({static_cast<double>(counters.photonsNeeded) / photons::kMaxPhotonCapacity,
+                  static_cast<double>(counters.pairsNeeded) / kMaxPairCapacity,
+                  static_cast<double>(counters.mostInTile) / kMostPhotonsInTile});
+    if (most > 1.0) shrinkBatches(0.8 / most);
+    return dropped || crowded;
 }
 
 core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFrame& drawn,

@@ -62,8 +62,9 @@ class Renderer {
 
  private:
     void makeRoom(const FrameRequest& request);
-    /// Gives the next frame the room that this one lacked. True where something was dropped.
+    /// Gives the next frame the room that this one lacked. True where something was dropped or cut.
     bool grow(const shared::FrameCounters& counters);
+    void shrinkBatches(double share);
 
     execute::Executor* executor_;
     residency::SceneOnGpu scene_;

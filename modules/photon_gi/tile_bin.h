@@ -26,6 +26,10 @@ struct TileSettings {
 
 /// Most pairs that the lists may hold: 128 MiB of indices.
 constexpr uint32_t kMaxPairCapacity = 1u << 25;
+/// The longest list that a gather may walk: lavapipe ends a shader's loops, unasked and silently,
+/// after 65535 turns in all [measured]. A fuller tile makes the frame invalid and its batches
+/// smaller.
+constexpr uint32_t kMostPhotonsInTile = 60000;
 
 [[nodiscard]] TileBins addTileBin(graph::Frame& frame, const photons::PhotonList& photons,
                                   const deferred::TileBounds& bounds, const shared::View& view,

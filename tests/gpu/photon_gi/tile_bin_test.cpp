@@ -158,6 +158,25 @@ TEST_F(TileBin, FullAndThesisMakeTheSameLists) {
         }
 }
 
+TEST_F(TileBin, ManyPhotonsATileMakeTheSameListsToo) {
+    Trial trial;
+    trial.size = {64, 36};
+    trial.paths = 300000;
+    trial.radius = 0.4f;
+    trial.photonCapacity = 1500000;
+    trial.pairCapacity = 1u << 24;
+    const Lists full = bin(trial);
+    trial.thesis = true;
+    const Lists thesis = bin(trial);
+    ASSERT_GT(full.counters.mostInTile, 20000u);
+    for (size_t tile = 0; tile < full.ranges.size(); ++tile) {
+        const auto a = listOf(full, tile);
+        const auto b = listOf(thesis, tile);
+        ASSERT_EQ(a.size(), b.size()) << tile;
+        ASSERT_EQ(a, b) << tile;
+    }
+}
+
 TEST_F(TileBin, CountsWhatDoesNotFitAndWhatWouldHaveBeenNeeded) {
     for (const bool thesis : {false, true}) {
         Trial trial;

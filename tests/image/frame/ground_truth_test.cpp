@@ -82,7 +82,7 @@ class GroundTruth : public test::FrameTest {
         const auto snapshot = scene::extract(world, {}, 0);
         auto wanted = request(480, 270, snapshot.cameras.front());
         wanted.settings.maxBounces = bounces;
-        wanted.settings.photonPaths = outputNode == "irradiance_direct" ? 100 : 400'000;
+        wanted.settings.photonPaths = outputNode == "irradiance_direct" ? 100 : 2'000'000;
         wanted.settings.radiusMetres = 0.25f;
         return render(snapshot, wanted, outputNode).image;
     }
@@ -105,7 +105,7 @@ class IndirectTruth : public GroundTruth {
     void TestBody() override {
         EXPECT_LT(
             relativeDifference(draw(bounces_, "irradiance_indirect"), readPfm(kTruth / file_)),
-            0.04);
+            0.03);
     }
     uint32_t bounces_;
     std::string file_;
