@@ -35,7 +35,7 @@ Result<std::vector<uint8_t>> readFile(const std::filesystem::path& path) {
 Result<void> writeFile(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
     const std::filesystem::path beside = path.string() + "." + std::to_string(::getpid()) + ".part";
     const auto fail = [&](const char* what) {
-        const Error failure = error("{}: cannot {}: {}", path.string(), what, std::strerror(errno));
+        Error failure = error("{}: cannot {}: {}", path.string(), what, std::strerror(errno));
         std::error_code ignored;
         std::filesystem::remove(beside, ignored);
         return failure;

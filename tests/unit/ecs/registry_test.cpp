@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <ostream>
+
 namespace lampyris::ecs {
 namespace {
 
@@ -120,6 +123,12 @@ struct BadWorld {
     std::string text;
     std::string message;  // a part of the error
 };
+
+// Becomes part of the test's name, so only what a name may hold.
+void PrintTo(const BadWorld& world, std::ostream* out) {
+    for (const char c : world.message + world.text.substr(world.text.rfind(':') + 1))
+        *out << (std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_');
+}
 
 class BadWorlds : public testing::TestWithParam<BadWorld> {};
 

@@ -159,6 +159,7 @@ TEST(World, IsReadFromSeveralThreadsAtOnce) {
     for (int i = 0; i < 1000; ++i) world.add(world.create(), Position{i});
     std::array<int, 4> sums{};
     std::vector<std::thread> readers;
+    readers.reserve(sums.size());
     for (int& sum : sums)
         readers.emplace_back([&sum, &shared = std::as_const(world)] {
             for (const auto& [e, position] : shared.view<Position>(without<Tag>))

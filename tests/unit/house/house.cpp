@@ -142,7 +142,7 @@ std::set<std::string> opened(const std::string& folder) {
 }
 
 std::string folderOf(std::string_view path) {
-    const std::string top = head(path);
+    std::string top = head(path);
     if (top == "sandbox" || top == "tests") return top;
     if (top != "engine" && top != "modules" && top != "shaders") return "";
     const std::string_view rest = path.substr(top.size() + 1);

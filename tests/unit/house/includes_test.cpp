@@ -2,6 +2,9 @@
 // list.
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <ostream>
+
 #include "unit/house/house.h"
 #include "unit/house/source_tree.h"
 
@@ -78,8 +81,10 @@ struct Planted {
     bool allowed;
 };
 
+// Becomes part of the test's name, so only what a name may hold.
 void PrintTo(const Planted& planted, std::ostream* out) {
-    *out << planted.include << " in " << planted.path;
+    for (const char c : std::string(planted.path) + " includes " + planted.include)
+        *out << (std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_');
 }
 
 class PlantedIncludes : public testing::TestWithParam<Planted> {};
