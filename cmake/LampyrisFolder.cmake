@@ -3,8 +3,9 @@
 #   LIBRARIES  outside libraries, PRIVATE;  PUBLIC_LIBRARIES  those that a header needs
 find_program(LAMPYRIS_CCACHE ccache)
 if(LAMPYRIS_CCACHE)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${LAMPYRIS_CCACHE})
-    set(CMAKE_C_COMPILER_LAUNCHER ${LAMPYRIS_CCACHE})
+    # Paths below the source folder count as relative: a second clone finds what the first one built.
+    set(CMAKE_CXX_COMPILER_LAUNCHER
+        ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${LAMPYRIS_CCACHE})
 endif()
 find_package(Threads REQUIRED)
 
