@@ -48,6 +48,20 @@ TEST_F(TraceTest, WalksTreesDeeperThanTheSmallestStack) {
     EXPECT_LE(differences(onGpu, onCpu), rays.size() / 1000);
 }
 
+TEST_F(TraceTest, WalksMoreThanAStorageBufferMayHold) {
+    SnapshotBuilder scene;
+    scene.addInstance(scene.addMesh(triangleSoup(2'900'000, 0.005f, 25)),
+                      scene.addMaterial(mattMaterial()));
+    residency::SceneOnGpu onDevice(device());
+    accel::AccelOnGpu accel(onDevice);
+    const auto rays = randomRays(2000, 1.0f, 26);
+    const auto onGpu = traceIn(onDevice, accel, scene.snapshot, rays);
+    EXPECT_GT(accel.counts().triangles * 3 * sizeof(glm::vec4), uint64_t{128} << 20);
+    std::vector<GpuHit> onCpu(rays.size());
+    need(accel::EmbreeRays::create(scene.snapshot)).trace(rays, onCpu);
+    EXPECT_LE(differences(onGpu, onCpu), 2u);
+}
+
 TEST_F(TraceTest, IsMeasuredBesideEmbree) {
     auto executor = need(execute::Executor::create(device()));
     const auto world = need(scene::builtinScene("cornell"));
