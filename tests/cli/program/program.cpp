@@ -17,6 +17,7 @@ namespace lampyris::test {
 namespace {
 
 constexpr int kSeconds = 60;
+constexpr int kGraceSeconds = 5;
 constexpr auto kPollInterval = std::chrono::milliseconds(5);
 
 std::filesystem::path streamFile(const char* stream) {
@@ -59,11 +60,8 @@ Process::Process(const Arguments& command, const std::vector<std::string>& varia
 }
 
 Process::~Process() {
-    if (running()) {
-        ::kill(pid_, SIGKILL);
-        int status = 0;
-        ::waitpid(pid_, &status, 0);
-    }
+    if (running()) ::kill(pid_, SIGTERM);  // a display server takes its socket away with it
+    if (!endsWithin(kGraceSeconds)) kill();
     std::filesystem::remove(out_);
     std::filesystem::remove(err_);
 }
@@ -81,16 +79,28 @@ void Process::reap(int status) {
     ran_.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
 
-Ran Process::wait(int seconds) {
+std::string Process::outputSoFar() const {
+    return textOf(out_);
+}
+
+bool Process::endsWithin(int seconds) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
     while (running() && std::chrono::steady_clock::now() < end)
         std::this_thread::sleep_for(kPollInterval);
-    if (running()) {
+    return !running();
+}
+
+void Process::kill() {
+    ::kill(pid_, SIGKILL);
+    int status = 0;
+    ::waitpid(pid_, &status, 0);
+    reap(status);
+}
+
+Ran Process::wait(int seconds) {
+    if (!endsWithin(seconds)) {
         ADD_FAILURE() << "still running after " << seconds << " s";
-        ::kill(pid_, SIGKILL);
-        int status = 0;
-        ::waitpid(pid_, &status, 0);
-        reap(status);
+        kill();
     }
     ran_.out = textOf(out_);
     ran_.err = textOf(err_);

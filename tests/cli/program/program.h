@@ -33,10 +33,14 @@ class Process {
     Process& operator=(const Process&) = delete;
 
     [[nodiscard]] bool running();
+    /// Of standard output.
+    [[nodiscard]] std::string outputSoFar() const;
     /// Waits for its end; a failure of the test, and the end of the process, after so many seconds.
     Ran wait(int seconds);
 
  private:
+    bool endsWithin(int seconds);
+    void kill();
     void reap(int status);
     std::filesystem::path out_, err_;
     pid_t pid_ = -1;
