@@ -6,7 +6,6 @@ namespace lampyris {
 namespace {
 
 using test::addDouble;
-using test::need;
 namespace shaders = gpu_test::shaders;
 
 class ComputeTest : public test::ExecuteTest {

@@ -3,8 +3,6 @@
 namespace lampyris {
 namespace {
 
-using test::need;
-
 class HistoryTest : public test::ExecuteTest {
  protected:
     /// One frame of current = previous + 1; gives what the image holds then.

@@ -5,7 +5,6 @@
 namespace lampyris {
 namespace {
 
-using test::need;
 namespace shaders = gpu_test::shaders;
 
 struct TrianglePush {
