@@ -30,7 +30,7 @@ DecomposedMatrix decompose(const glm::dmat4& matrix) {
     DecomposedMatrix parts;
     parts.translation = glm::vec3(matrix[3]);
     glm::dmat3 axes(matrix);
-    glm::dvec3 scale;
+    glm::dvec3 scale(0.0);
     for (int i = 0; i < 3; ++i) {
         scale[i] = glm::length(axes[i]);
         axes[i] = scale[i] > 0.0 ? axes[i] / scale[i] : glm::dvec3(0.0);
