@@ -45,7 +45,7 @@ void visit(const Tree& tree, uint32_t link, const math::Bounds& box, uint32_t de
 class TreeOfSize : public ::testing::TestWithParam<std::pair<uint32_t, uint32_t>> {};
 
 TEST_P(TreeOfSize, HoldsEveryPrimitiveOnceInsideItsBox) {
-    const auto [count, leafSize] = GetParam();
+    const uint32_t count = GetParam().first, leafSize = GetParam().second;
     const auto boxes = randomBoxes(count, 7);
     const Tree tree = built(boxes, leafSize);
     std::vector<uint32_t> seen(count, 0);
