@@ -9,9 +9,8 @@ constexpr float kRadiansPerPixel = 0.004f;  // [chosen] half a turn across a wid
 constexpr float kSteepest = 0.99f;          // sine of the pitch; straight up has no heading
 
 glm::vec3 direction(const window::Input& input) {
-    const auto axis = [&](char forth, char back) {
-        return static_cast<float>(input.held[static_cast<size_t>(forth)]) -
-               static_cast<float>(input.held[static_cast<size_t>(back)]);
+    const auto axis = [&](unsigned char forth, unsigned char back) {
+        return static_cast<float>(input.held[forth]) - static_cast<float>(input.held[back]);
     };
     return {axis('D', 'A'), axis('E', 'Q'), axis('S', 'W')};
 }

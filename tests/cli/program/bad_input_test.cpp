@@ -50,7 +50,8 @@ class BadInput : public testing::Test {
 };
 
 /// A floor of two triangles.
-GltfBuilder floorScene(std::vector<float> positions = {-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1}) {
+GltfBuilder floorScene(const std::vector<float>& positions = {-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0,
+                                                              1}) {
     GltfBuilder builder;
     const int points = builder.addFloats(positions, "VEC3");
     const int indices = builder.addAccessor<uint16_t>({0, 2, 1, 0, 3, 2}, "SCALAR", kUshort);

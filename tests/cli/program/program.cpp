@@ -16,7 +16,7 @@
 namespace lampyris::test {
 namespace {
 
-constexpr int kSeconds = 60;
+constexpr int kSeconds = 180;  // sanitizers are slow
 constexpr int kGraceSeconds = 5;
 constexpr auto kPollInterval = std::chrono::milliseconds(5);
 
@@ -29,6 +29,7 @@ std::filesystem::path streamFile(const char* stream) {
 /// With argv and envp's null at the end.
 std::vector<char*> pointers(std::vector<std::string>& texts) {
     std::vector<char*> all;
+    all.reserve(texts.size() + 1);
     for (std::string& text : texts) all.push_back(text.data());
     all.push_back(nullptr);
     return all;

@@ -51,7 +51,7 @@ class Process {
 /// The path of the program under test.
 [[nodiscard]] std::string programPath();
 
-/// Runs `lampyris` to its end; a minute is more than any call here needs.
+/// Runs `lampyris` to its end; every call here needs seconds.
 Ran lampyris(const Arguments& arguments, const std::vector<std::string>& variables = {});
 
 /// Renders at 160x90 with more arguments, to a picture of that path.

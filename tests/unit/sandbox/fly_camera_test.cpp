@@ -5,9 +5,9 @@
 namespace lampyris::sandbox {
 namespace {
 
-window::Input holding(char key) {
+window::Input holding(unsigned char key) {
     window::Input input;
-    input.held[static_cast<size_t>(key)] = true;
+    input.held[key] = true;
     return input;
 }
 
@@ -19,7 +19,7 @@ TEST(FlyCamera, KeysMoveAlongItsOwnAxes) {
     // Looks along +x.
     const glm::mat4 camera =
         glm::inverse(glm::lookAt(glm::vec3(1, 2, 3), glm::vec3(2, 2, 3), glm::vec3(0, 1, 0)));
-    const auto after = [&](char key) {
+    const auto after = [&](unsigned char key) {
         return glm::vec3(fly(camera, holding(key), 4.0f, 0.5f)[3]);
     };
     expectNear(after('W'), {3, 2, 3});
