@@ -21,9 +21,10 @@ constexpr uint32_t kLeastPairs = 1u << 16;
 constexpr uint64_t kMostPairsGuessed = 1u << 22;
 
 /// Half as much again, in steps that keep the graph's layout from changing at every frame.
-uint32_t grown(uint32_t needed, uint32_t step, uint32_t most) {
+uint32_t grown(uint32_t needed, uint32_t most) {
+    constexpr uint64_t kStep = 1024;
     const uint64_t wanted = uint64_t{needed} + needed / 2;
-    return static_cast<uint32_t>(std::min<uint64_t>((wanted + step - 1) / step * step, most));
+    return static_cast<uint32_t>(std::min<uint64_t>((wanted + kStep - 1) / kStep * kStep, most));
 }
 
 std::vector<float> floats(std::span<const std::byte> bytes) {
@@ -78,7 +79,9 @@ void Renderer::makeRoom(const FrameRequest& request) {
         std::clamp<uint64_t>(guess, std::max(room_.photons, 64u), photons::kMaxPhotonCapacity));
     const uint64_t pairGuess = std::clamp<uint64_t>(uint64_t{room_.photons} * kPairsPerPhotonGuess,
                                                     kLeastPairs, kMostPairsGuessed);
-    room_.pairs = static_cast<uint32_t>(std::max<uint64_t>(pairGuess, room_.pairs));
+    mostPairs_ = mostPairsBinned(request.size);
+    room_.pairs = static_cast<uint32_t>(
+        std::min<uint64_t>(std::max<uint64_t>(pairGuess, room_.pairs), mostPairs_));
 }
 
 DrawnFrame Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
@@ -104,13 +107,13 @@ bool Renderer::grow(const shared::FrameCounters& counters) {
     const bool dropped = counters.photonsDropped > 0 || counters.pairsDropped > 0;
     const bool crowded = counters.mostInTile > kMostPhotonsInTile && lastBatch_ > 1;
     if (counters.photonsDropped > 0)
-        room_.photons = grown(counters.photonsNeeded, 64, photons::kMaxPhotonCapacity);
+        room_.photons = grown(counters.photonsNeeded, photons::kMaxPhotonCapacity);
     if (counters.pairsDropped > 0)
-        room_.pairs = grown(counters.pairsNeeded, shared::SORT_BLOCK, kMaxPairCapacity);
+        room_.pairs = grown(counters.pairsNeeded, mostPairs_);
     // What no room can hold, and tiles that no loop can walk, take smaller batches.
     const double most =
         std::max({static_cast<double>(counters.photonsNeeded) / photons::kMaxPhotonCapacity,
-                  static_cast<double>(counters.pairsNeeded) / kMaxPairCapacity,
+                  static_cast<double>(counters.pairsNeeded) / mostPairs_,
                   static_cast<double>(counters.mostInTile) / kMostPhotonsInTile});
     if (most > 1.0) shrinkBatches(0.8 / most);
     return dropped || crowded;

@@ -73,6 +73,7 @@ class Renderer {
     photons::PathSplit split_;
     uint32_t largestBatch_ = 0xffffffffu;  ///< paths; halved while a batch's pairs do not fit
     uint32_t lastBatch_ = 0;               ///< the largest of the last frame
+    uint32_t mostPairs_ = 0;               ///< that one batch may have at this size
     Capacities room_;
 };
 

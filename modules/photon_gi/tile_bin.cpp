@@ -1,5 +1,6 @@
 #include "photon_gi/tile_bin.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "deferred/view.h"
@@ -10,103 +11,136 @@
 namespace lampyris::photon_gi {
 namespace {
 
-/// Pairs in the order of some digits of their tile.
-struct Pairs {
-    graph::Buffer tiles{};
-    graph::Buffer indices{};
-    graph::Buffer offsets{};  ///< before each photon; [capacity] is the number of pairs
-};
+/// Pairs a share: enough shares to keep a device busy, few enough that their counters, one a tile
+/// each, cost less than the pairs.
+constexpr uint32_t kShares = 16;
+constexpr uint32_t kLeastShare = 1u << 10;
+constexpr uint32_t kMostShare = 1u << 15;
+constexpr uint32_t kMostWords = 1u << 25;  ///< 128 MiB
 
-void bindPhotons(graph::ComputeNode& node, const photons::PhotonList& photons,
-                 const deferred::TileBounds& bounds, const shared::View& view,
-                 const shared::BinParams& params) {
-    node.texels(shared::SLOT_BIN_PHOTONS, photons.photons, graph::Format::RGBA32Uint)
-        .read(shared::SLOT_BIN_PHOTON_TOTAL, photons.pathOffsets)
-        .read(shared::SLOT_BIN_BOUNDS, bounds.bounds)
-        .uniformData(shared::SLOT_VIEW, view)
-        .push(params);
-}
-
-Pairs addPairs(graph::Frame& frame, const photons::PhotonList& photons,
-               const deferred::TileBounds& bounds, const shared::View& view,
-               const shared::BinParams& params, graph::Buffer& counters) {
-    const uint32_t groups = (params.capacity + 63) / 64;
-    auto count = frame.compute("tile_bin/count", shaders::tileBinCount);
-    bindPhotons(count, photons, bounds, view, params);
-    const graph::Buffer counts =
-        count.write(shared::SLOT_BIN_COUNTS,
-                    frame.buffer("tiles a photon", {uint64_t{params.capacity} * sizeof(uint32_t)}));
-    count.dispatch(groups);
-
-    Pairs pairs;
-    pairs.offsets = photons::addPrefixSum(frame, "tile_bin", counts, params.capacity);
-    auto write = frame.compute("tile_bin/pairs", shaders::tileBinPairs);
-    bindPhotons(write, photons, bounds, view, params);
-    write.read(shared::SLOT_BIN_OFFSETS, pairs.offsets);
-    const graph::BufferDesc desc{uint64_t{params.pairCapacity} * sizeof(uint32_t)};
-    pairs.tiles = write.write(shared::SLOT_BIN_TILES, frame.buffer("pair tiles", desc));
-    pairs.indices = write.write(shared::SLOT_BIN_INDICES, frame.buffer("pair photons", desc));
-    counters = write.update(shared::SLOT_BIN_COUNTERS, counters);
-    write.dispatch(groups);
-    return pairs;
-}
-
-Pairs addSortDigit(graph::Frame& frame, const Pairs& pairs, const shared::BinParams& params) {
-    auto digits = frame.compute("tile_bin/digits", shaders::tileBinDigits);
-    digits.read(shared::SLOT_BIN_TILES, pairs.tiles)
-        .read(shared::SLOT_BIN_PHOTON_TOTAL, pairs.offsets)
-        .push(params);
-    const uint32_t countSize = shared::SORT_DIGITS * params.blocks;
-    const graph::Buffer counts =
-        digits.write(shared::SLOT_BIN_COUNTS,
-                     frame.buffer("digit counts", {uint64_t{countSize} * sizeof(uint32_t)}));
-    digits.dispatch(params.blocks);
-
-    const graph::Buffer offsets = photons::addPrefixSum(frame, "tile_bin", counts, countSize);
-    auto scatter = frame.compute("tile_bin/scatter", shaders::tileBinScatter);
-    scatter.read(shared::SLOT_BIN_TILES, pairs.tiles)
-        .read(shared::SLOT_BIN_INDICES, pairs.indices)
-        .read(shared::SLOT_BIN_OFFSETS, offsets)
-        .read(shared::SLOT_BIN_PHOTON_TOTAL, pairs.offsets)
-        .push(params);
-    const graph::BufferDesc desc{uint64_t{params.pairCapacity} * sizeof(uint32_t)};
-    Pairs sorted{.offsets = pairs.offsets};
-    sorted.tiles = scatter.write(shared::SLOT_BIN_SORTED_TILES, frame.buffer("sorted tiles", desc));
-    sorted.indices =
-        scatter.write(shared::SLOT_BIN_SORTED_INDICES, frame.buffer("sorted photons", desc));
-    scatter.dispatch(params.blocks);
-    return sorted;
-}
-
-}  // namespace
-
-TileBins addTileBin(graph::Frame& frame, const photons::PhotonList& photons,
-                    const deferred::TileBounds& bounds, const shared::View& view,
-                    const TileSettings& settings) {
-    const uint32_t tiles = deferred::tileCount(view);
+shared::BinParams binParams(const photons::PhotonList& photons, const TileSettings& settings) {
     shared::BinParams params{};
     params.capacity = photons.capacity;
     params.pathCount = photons.pathCount;
     params.pairCapacity = settings.pairCapacity;
     params.radius = settings.radiusMetres;
-    params.blocks = (settings.pairCapacity + shared::SORT_BLOCK - 1) / shared::SORT_BLOCK;
+    params.share = std::clamp(std::bit_ceil(settings.pairCapacity / kShares), kLeastShare, kMostShare);
+    return params;
+}
 
+/// What the nodes of one binning share.
+struct Binning {
+    const photons::PhotonList& photons;
+    const deferred::TileBounds& bounds;
+    const shared::View& view;
+    const shared::BinParams params;
+    const uint32_t tiles = deferred::tileCount(view);
+    const uint32_t shares = (params.pairCapacity + params.share - 1) / params.share;
+};
+
+graph::Buffer words(graph::Frame& frame, const char* name, uint64_t count) {
+    return frame.buffer(name, {count * sizeof(uint32_t)});
+}
+
+/// Binds and dispatches what counting and writing the pairs have in common.
+void visitTiles(graph::ComputeNode& node, const Binning& b) {
+    node.texels(shared::SLOT_BIN_PHOTONS, b.photons.photons, graph::Format::RGBA32Uint)
+        .texels(shared::SLOT_BIN_BOUNDS, b.bounds.bounds, graph::Format::RG32Float)
+        .read(shared::SLOT_BIN_PHOTON_TOTAL, b.photons.pathOffsets)
+        .uniformData(shared::SLOT_VIEW, b.view)
+        .push(b.params)
+        .dispatch((b.params.capacity + 63) / 64);
+}
+
+/// Sums before each photon's pairs; [capacity] is the number of all.
+graph::Buffer addPairOffsets(graph::Frame& frame, const Binning& b) {
+    auto node = frame.compute("tile_bin/count", shaders::tileBinCount);
+    const graph::Buffer counts =
+        node.write(shared::SLOT_BIN_COUNTS, words(frame, "pairs a photon", b.params.capacity));
+    visitTiles(node, b);
+    return photons::addPrefixSum(frame, "tile_bin", counts, b.params.capacity);
+}
+
+struct Pairs {
+    graph::Buffer offsets{};  ///< before each photon
+    graph::Buffer pairs{};    ///< uvec2: tile, photon; photon by photon
+    graph::Buffer shares{};   ///< [share][tile]: pairs
+};
+
+Pairs addPairs(graph::Frame& frame, const Binning& b) {
+    Pairs pairs{.offsets = addPairOffsets(frame, b)};
+    auto clear = frame.transfer("tile_bin/clear");
+    pairs.shares = clear.fill(words(frame, "pairs a share and tile", uint64_t{b.shares} * b.tiles), 0);
+    auto node = frame.compute("tile_bin/pairs", shaders::tileBinPairs);
+    node.read(shared::SLOT_BIN_OFFSETS, pairs.offsets);
+    pairs.pairs = node.write(shared::SLOT_BIN_PAIRS,
+                             words(frame, "pairs", 2 * uint64_t{b.params.pairCapacity}));
+    pairs.shares = node.update(shared::SLOT_BIN_SHARES, pairs.shares);
+    visitTiles(node, b);
+    return pairs;
+}
+
+/// Binds and dispatches a node with a thread a tile.
+void visitSums(graph::ComputeNode& node, const Binning& b, const Pairs& pairs) {
+    node.read(shared::SLOT_BIN_PAIR_TOTAL, pairs.offsets)
+        .uniformData(shared::SLOT_VIEW, b.view)
+        .push(b.params)
+        .dispatch((b.tiles + 63) / 64);
+}
+
+/// Sums before each tile, and within a tile before each share.
+graph::Buffer addTileOffsets(graph::Frame& frame, const Binning& b, Pairs& pairs) {
+    auto node = frame.compute("tile_bin/shares", shaders::tileBinShares);
+    pairs.shares = node.update(shared::SLOT_BIN_SHARES, pairs.shares);
+    const graph::Buffer counts =
+        node.write(shared::SLOT_BIN_COUNTS, words(frame, "pairs a tile", b.tiles));
+    visitSums(node, b, pairs);
+    return photons::addPrefixSum(frame, "tile_bin", counts, b.tiles);
+}
+
+void addRanges(graph::Frame& frame, const Binning& b, const Pairs& pairs, graph::Buffer offsets,
+               TileBins& bins) {
+    auto node = frame.compute("tile_bin/ranges", shaders::tileBinRanges);
+    node.read(shared::SLOT_BIN_OFFSETS, offsets);
+    bins.ranges = node.write(shared::SLOT_BIN_RANGES,
+                             words(frame, "tile ranges", 2 * uint64_t{b.tiles}));
+    bins.counters = node.update(shared::SLOT_BIN_COUNTERS, bins.counters);
+    visitSums(node, b, pairs);
+}
+
+graph::Buffer addInsert(graph::Frame& frame, const Binning& b, const Pairs& pairs,
+                        graph::Buffer offsets) {
+    auto node = frame.compute("tile_bin/insert", shaders::tileBinInsert);
+    node.read(shared::SLOT_BIN_PAIRS, pairs.pairs)
+        .read(shared::SLOT_BIN_PAIR_TOTAL, pairs.offsets)
+        .read(shared::SLOT_BIN_OFFSETS, offsets)
+        .uniformData(shared::SLOT_VIEW, b.view)
+        .push(b.params);
+    (void)node.update(shared::SLOT_BIN_SHARES, pairs.shares);
+    const graph::Buffer indices =
+        node.write(shared::SLOT_BIN_INDICES, words(frame, "tile photons", b.params.pairCapacity));
+    node.dispatch(b.shares);
+    return indices;
+}
+
+}  // namespace
+
+uint32_t mostPairsBinned(graph::Extent size) {
+    const graph::Extent tiles = size.dividedBy(shared::TILE_PIXELS);
+    const uint64_t tileCount = uint64_t{tiles.width} * tiles.height;
+    const uint64_t shares = std::max<uint64_t>(kMostWords / tileCount, 1);
+    return static_cast<uint32_t>(std::min<uint64_t>(shares * kMostShare, kMostWords / 2));
+}
+
+TileBins addTileBin(graph::Frame& frame, const photons::PhotonList& photons,
+                    const deferred::TileBounds& bounds, const shared::View& view,
+                    const TileSettings& settings) {
+    const Binning b{photons, bounds, view, binParams(photons, settings)};
     TileBins bins{.counters = photons.counters};
-    Pairs pairs = addPairs(frame, photons, bounds, view, params, bins.counters);
-    const auto tileBits = static_cast<uint32_t>(std::bit_width(tiles - 1));
-    for (params.shift = 0; params.shift < tileBits; params.shift += shared::SORT_DIGIT_BITS)
-        pairs = addSortDigit(frame, pairs, params);
-
-    auto ranges = frame.compute("tile_bin/ranges", shaders::tileBinRanges);
-    ranges.read(shared::SLOT_BIN_SORTED_TILES, pairs.tiles)
-        .read(shared::SLOT_BIN_PHOTON_TOTAL, pairs.offsets)
-        .uniformData(shared::SLOT_VIEW, view)
-        .push(params);
-    bins.indices = pairs.indices;
-    bins.ranges =
-        ranges.write(shared::SLOT_BIN_RANGES, frame.buffer("tile ranges", {uint64_t{tiles} * 8}));
-    bins.counters = ranges.update(shared::SLOT_BIN_COUNTERS, bins.counters);
-    ranges.dispatch((tiles + 63) / 64);
+    Pairs pairs = addPairs(frame, b);
+    const graph::Buffer offsets = addTileOffsets(frame, b, pairs);
+    addRanges(frame, b, pairs, offsets, bins);
+    bins.indices = addInsert(frame, b, pairs, offsets);
     return bins;
 }
 

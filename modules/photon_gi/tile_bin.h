@@ -4,8 +4,8 @@
 ///   shader  photon_gi/tile_bin_*.comp     theory  README [B1]
 ///
 /// Each photon visits the tiles under its own outline and writes (tile, photon) pairs, photon by
-/// photon; a stable radix sort by tile then makes the lists. Cost follows the pairs, not tiles
-/// times photons.
+/// photon; the pairs are cut into shares, and counted by tile and share, so that each share knows
+/// its places in the tiles' lists. Cost follows the pairs, not tiles times photons.
 #pragma once
 
 #include "deferred/tile_bounds.h"
@@ -24,12 +24,13 @@ struct TileSettings {
     uint32_t pairCapacity = 0;
 };
 
-/// Most pairs that the lists may hold: 128 MiB of indices.
-constexpr uint32_t kMaxPairCapacity = 1u << 25;
 /// The longest list that a gather may walk: lavapipe ends a shader's loops, unasked and silently,
 /// after 65535 turns in all [measured]. A fuller tile makes the frame invalid and its batches
 /// smaller.
 constexpr uint32_t kMostPhotonsInTile = 60000;
+
+/// Most pairs that can be binned at this size: pairs and counters stay within 128 MiB each.
+[[nodiscard]] uint32_t mostPairsBinned(graph::Extent size);
 
 [[nodiscard]] TileBins addTileBin(graph::Frame& frame, const photons::PhotonList& photons,
                                   const deferred::TileBounds& bounds, const shared::View& view,

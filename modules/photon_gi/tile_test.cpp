@@ -20,7 +20,7 @@ TileBins addTileTest(graph::Frame& frame, const photons::PhotonList& photons,
     const auto bindTest = [&](graph::ComputeNode& node) {
         node.texels(shared::SLOT_BIN_PHOTONS, photons.photons, graph::Format::RGBA32Uint)
             .read(shared::SLOT_BIN_PHOTON_TOTAL, photons.pathOffsets)
-            .read(shared::SLOT_BIN_BOUNDS, bounds.bounds)
+            .texels(shared::SLOT_BIN_BOUNDS, bounds.bounds, graph::Format::RG32Float)
             .uniformData(shared::SLOT_VIEW, view)
             .push(params);
     };

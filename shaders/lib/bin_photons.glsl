@@ -8,7 +8,6 @@
 layout(push_constant) uniform Push { BinParams params; };
 layout(set = 0, binding = SLOT_BIN_PHOTONS) uniform usamplerBuffer binPhotons;
 layout(set = 0, binding = SLOT_BIN_PHOTON_TOTAL, std430) readonly buffer PhotonTotal { uint pathOffsets[]; };
-layout(set = 0, binding = SLOT_BIN_BOUNDS, std430) readonly buffer Bounds { vec2 bounds[]; };
 
 uint photonCount() { return min(pathOffsets[params.pathCount], params.capacity); }
 vec3 photonViewDepth(uint photon) {

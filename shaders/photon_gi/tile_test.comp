@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_shuffle : require
+#include "lib/bin_bounds.glsl"
 #include "lib/bin_photons.glsl"
 
 layout(local_size_x = 64) in;
@@ -46,7 +47,7 @@ void main() {
     uint tile = gl_WorkGroupID.y * view.tilesX + gl_WorkGroupID.x;
     uint chunk = gl_LocalInvocationIndex / kLanes;
     uint lane = gl_LocalInvocationIndex % kLanes;
-    vec2 depths = bounds[tile];
+    vec2 depths = boundsOf(gl_WorkGroupID.xy);
     TileFrustum frustum = tileFrustum(gl_WorkGroupID.xy, depths);
     uint total = depths.x <= depths.y ? photonCount() : 0u;
     uint share = (total + TILE_CHUNKS - 1u) / TILE_CHUNKS;

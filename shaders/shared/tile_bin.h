@@ -6,15 +6,15 @@
 LAMPYRIS_SHARED_BEGIN
 
 LAMPYRIS_SLOT(SLOT_BIN_PHOTONS, 0u);        // texels RGBA32Uint, two a photon
-LAMPYRIS_SLOT(SLOT_BIN_BOUNDS, 1u);         // vec2 a tile
+LAMPYRIS_SLOT(SLOT_BIN_BOUNDS, 1u);         // texels RG32Float, one a tile
 LAMPYRIS_SLOT(SLOT_BIN_COUNTERS, 2u);       // FrameCounters
-LAMPYRIS_SLOT(SLOT_BIN_COUNTS, 3u);         // a photon's tiles, a tile's photons, or a block's digits
+LAMPYRIS_SLOT(SLOT_BIN_COUNTS, 3u);         // pairs a photon, or a tile
 LAMPYRIS_SLOT(SLOT_BIN_OFFSETS, 4u);        // sums before each of those
-LAMPYRIS_SLOT(SLOT_BIN_TILES, 5u);          // of each pair: its tile
-LAMPYRIS_SLOT(SLOT_BIN_INDICES, 6u);        // of each pair: its photon
-LAMPYRIS_SLOT(SLOT_BIN_SORTED_TILES, 7u);
-LAMPYRIS_SLOT(SLOT_BIN_SORTED_INDICES, 8u);
-LAMPYRIS_SLOT(SLOT_BIN_RANGES, 9u);         // uvec2 a tile: first pair, pairs
+LAMPYRIS_SLOT(SLOT_BIN_PAIRS, 5u);          // uvec2: tile, photon; photon by photon
+LAMPYRIS_SLOT(SLOT_BIN_INDICES, 6u);        // photons, tile by tile
+LAMPYRIS_SLOT(SLOT_BIN_SHARES, 7u);         // [share][tile]: pairs, then the sum over the shares before
+LAMPYRIS_SLOT(SLOT_BIN_RANGES, 9u);         // uvec2 a tile: first place in the list, pairs
+LAMPYRIS_SLOT(SLOT_BIN_PAIR_TOTAL, 13u);    // sums before each photon; the last is the pairs' number
 LAMPYRIS_SLOT(SLOT_BIN_PHOTON_TOTAL, 14u);  // path offsets; the last is the photons' number
 
 LAMPYRIS_SLOT(SLOT_GATHER_INDICES, 2u);     // texels R32Uint
@@ -32,10 +32,6 @@ LAMPYRIS_SLOT(SLOT_COMPOSITE_INDIRECT, 2u);
 LAMPYRIS_SLOT(SLOT_COMPOSITE_MASKS, 3u);
 LAMPYRIS_SLOT(SLOT_COMPOSITE_OUT, 4u);
 
-LAMPYRIS_SLOT(SORT_DIGIT_BITS, 5u);         // [chosen: 32 private counters for each of 64 threads fit 8 KiB]
-LAMPYRIS_SLOT(SORT_DIGITS, 32u);
-LAMPYRIS_SLOT(SORT_THREADS, 64u);
-LAMPYRIS_SLOT(SORT_BLOCK, 1024u);           // pairs a workgroup
 LAMPYRIS_SLOT(TILE_CHUNKS, 8u);             // shares of the photon list that a tile's 64 threads take, 8 threads each
 
 struct BinParams {
@@ -43,9 +39,8 @@ struct BinParams {
     uint pathCount;      // of this batch: where the photons' total stands in the path offsets
     uint pairCapacity;
     float radius;        // metres
-    uint shift;          // first bit of the sort's digit
-    uint blocks;         // of the sort
-    uint pad0, pad1;
+    uint share;          // pairs a share
+    uint pad0, pad1, pad2;
 };
 
 struct GatherParams {
