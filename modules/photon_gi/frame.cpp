@@ -15,7 +15,7 @@ namespace {
 
 struct Indirect {
     graph::Image irradiance;
-    graph::Image edges;
+    EdgeList edges;
 };
 
 /// Photons of one batch after the other: traced, binned, gathered; their irradiances add up.
@@ -40,7 +40,7 @@ Indirect addIndirect(graph::Frame& f, const FrameInputs& in, const Settings& s,
         out.ledgers.push_back(photons.ledger);
     }
     out.counters = edges.counters;
-    return {addUpsample(f, surface, gathered, edges, gather), edges.edges};
+    return {addUpsample(f, surface, gathered, edges, gather), edges};
 }
 
 }  // namespace

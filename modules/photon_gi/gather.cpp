@@ -71,20 +71,22 @@ graph::Extent coarseSize(const shared::View& view, uint32_t divisor) {
     return graph::Extent{view.width, view.height}.dividedBy(divisor);
 }
 
+graph::Extent coarseBlocks(const shared::View& view, uint32_t divisor) {
+    const graph::Extent size = coarseSize(view, divisor);
+    return {size.width + 1, size.height + 1};
+}
+
 EdgeList addEdges(graph::Frame& frame, const deferred::Surface& surface, graph::Buffer counters,
                   const GatherSettings& settings) {
-    const graph::Extent size{surface.view.width, surface.view.height};
+    const uint64_t pixels = uint64_t{surface.view.width} * surface.view.height;
     EdgeList list;
     auto find = frame.compute("gather/edges", shaders::gatherEdges);
     deferred::bindSurface(find, surface);
     find.push(gatherParams(surface.view, settings, 1.0f));
-    list.edges = find.write(shared::SLOT_GATHER_EDGES,
-                            frame.image("edge places", {graph::Format::R32Uint, size}));
-    list.list = find.write(
-        shared::SLOT_GATHER_LIST,
-        frame.buffer("edge list", {uint64_t{size.width} * size.height * sizeof(uint32_t)}));
+    list.list = find.write(shared::SLOT_GATHER_LIST,
+                           frame.buffer("edge list", {pixels * sizeof(uint32_t)}));
     list.counters = find.update(shared::SLOT_GATHER_COUNTERS, counters);
-    find.dispatchOver(size);
+    find.dispatchOver(coarseBlocks(surface.view, settings.divisor));
 
     auto groups = frame.compute("gather/groups", shaders::gatherGroups);
     groups.read(shared::SLOT_GATHER_COUNTERS, list.counters);

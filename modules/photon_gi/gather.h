@@ -16,7 +16,6 @@ struct GatherSettings {
 
 /// Pixels that the low-resolution texels around them cannot stand for.
 struct EdgeList {
-    graph::Image edges{};      ///< R32Uint: 0, or 1 + the pixel's place in the list
     graph::Buffer list{};      ///< the pixels, x | y << 16
     graph::Buffer groups{};    ///< indirect dispatch over the list
     graph::Buffer counters{};  ///< shared::FrameCounters
@@ -39,5 +38,9 @@ struct Gathered {
 
 /// The low-resolution size of a view.
 [[nodiscard]] graph::Extent coarseSize(const shared::View& view, uint32_t divisor);
+
+/// Blocks of pixels between four low-resolution texels each: one more than texels, an axis
+/// (lib/coarse_block.glsl).
+[[nodiscard]] graph::Extent coarseBlocks(const shared::View& view, uint32_t divisor);
 
 }  // namespace lampyris::photon_gi

@@ -108,8 +108,7 @@ bool Renderer::grow(const shared::FrameCounters& counters) {
     const bool crowded = counters.mostInTile > kMostPhotonsInTile && lastBatch_ > 1;
     if (counters.photonsDropped > 0)
         room_.photons = grown(counters.photonsNeeded, photons::kMaxPhotonCapacity);
-    if (counters.pairsDropped > 0)
-        room_.pairs = grown(counters.pairsNeeded, mostPairs_);
+    if (counters.pairsDropped > 0) room_.pairs = grown(counters.pairsNeeded, mostPairs_);
     // What no room can hold, and tiles that no loop can walk, take smaller batches.
     const double most =
         std::max({static_cast<double>(counters.photonsNeeded) / photons::kMaxPhotonCapacity,

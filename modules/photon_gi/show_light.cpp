@@ -4,6 +4,7 @@
 
 #include "photon_gi/shaders.h"
 #include "shared/show_light.h"
+#include "shared/tile_bin.h"
 
 namespace lampyris::photon_gi {
 namespace {
@@ -25,10 +26,25 @@ void publish(graph::Frame& frame, const deferred::Surface& surface, const std::s
     node.dispatchOver({surface.view.width, surface.view.height});
 }
 
+void publishEdges(graph::Frame& frame, const deferred::Surface& surface, const EdgeList& edges) {
+    const uint64_t pixels = uint64_t{surface.view.width} * surface.view.height;
+    auto clear = frame.transfer("show/no_edges");
+    const graph::Buffer zeros =
+        clear.fill(frame.buffer("zeros", {pixels * sizeof(shared::vec4)}), 0);
+    graph::Image shown = clear.copyToImage(zeros, 0, shownImage(frame, surface, "edges"));
+    auto node = frame.compute("show/edges", shaders::showEdges);
+    node.read(shared::SLOT_GATHER_COUNTERS, edges.counters)
+        .read(shared::SLOT_GATHER_LIST, edges.list);
+    shown = node.update(shared::SLOT_GATHER_EDGES, shown);
+    node.dispatchIndirect(edges.groups);
+    frame.publish("edges", shown);
+}
+
 }  // namespace
 
 void publishLight(graph::Frame& frame, const deferred::Surface& surface,
-                  const deferred::DirectLight& direct, graph::Image indirect, graph::Image edges) {
+                  const deferred::DirectLight& direct, graph::Image indirect,
+                  const EdgeList& edges) {
     publish(frame, surface, "direct", shared::SHOW_DIRECT, direct.irradiance, direct.specular);
     publish(frame, surface, "irradiance_direct", shared::SHOW_IRRADIANCE, direct.irradiance,
             direct.specular);
@@ -37,13 +53,7 @@ void publishLight(graph::Frame& frame, const deferred::Surface& surface,
         publish(frame, surface, "irradiance_indirect", shared::SHOW_IRRADIANCE, indirect,
                 direct.specular);
     }
-    if (edges.valid()) {
-        auto node = frame.compute("show/edges", shaders::showEdges);
-        node.sample(shared::SLOT_SHOWN_EDGES, edges).uniformData(shared::SLOT_VIEW, surface.view);
-        frame.publish("edges",
-                      node.write(shared::SLOT_SHOWN_LIGHT, shownImage(frame, surface, "edges")));
-        node.dispatchOver({surface.view.width, surface.view.height});
-    }
+    if (edges.list.valid()) publishEdges(frame, surface, edges);
 }
 
 }  // namespace lampyris::photon_gi

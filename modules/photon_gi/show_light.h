@@ -3,11 +3,13 @@
 #pragma once
 
 #include "deferred/sphere_direct.h"
+#include "photon_gi/gather.h"
 
 namespace lampyris::photon_gi {
 
 /// \param indirect, edges invalid where the pipeline has none
 void publishLight(graph::Frame& frame, const deferred::Surface& surface,
-                  const deferred::DirectLight& direct, graph::Image indirect, graph::Image edges);
+                  const deferred::DirectLight& direct, graph::Image indirect,
+                  const EdgeList& edges);
 
 }  // namespace lampyris::photon_gi

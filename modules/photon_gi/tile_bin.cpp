@@ -24,7 +24,8 @@ shared::BinParams binParams(const photons::PhotonList& photons, const TileSettin
     params.pathCount = photons.pathCount;
     params.pairCapacity = settings.pairCapacity;
     params.radius = settings.radiusMetres;
-    params.share = std::clamp(std::bit_ceil(settings.pairCapacity / kShares), kLeastShare, kMostShare);
+    params.share =
+        std::clamp(std::bit_ceil(settings.pairCapacity / kShares), kLeastShare, kMostShare);
     return params;
 }
 
@@ -70,7 +71,8 @@ struct Pairs {
 Pairs addPairs(graph::Frame& frame, const Binning& b) {
     Pairs pairs{.offsets = addPairOffsets(frame, b)};
     auto clear = frame.transfer("tile_bin/clear");
-    pairs.shares = clear.fill(words(frame, "pairs a share and tile", uint64_t{b.shares} * b.tiles), 0);
+    pairs.shares =
+        clear.fill(words(frame, "pairs a share and tile", uint64_t{b.shares} * b.tiles), 0);
     auto node = frame.compute("tile_bin/pairs", shaders::tileBinPairs);
     node.read(shared::SLOT_BIN_OFFSETS, pairs.offsets);
     pairs.pairs = node.write(shared::SLOT_BIN_PAIRS,
@@ -102,8 +104,8 @@ void addRanges(graph::Frame& frame, const Binning& b, const Pairs& pairs, graph:
                TileBins& bins) {
     auto node = frame.compute("tile_bin/ranges", shaders::tileBinRanges);
     node.read(shared::SLOT_BIN_OFFSETS, offsets);
-    bins.ranges = node.write(shared::SLOT_BIN_RANGES,
-                             words(frame, "tile ranges", 2 * uint64_t{b.tiles}));
+    bins.ranges =
+        node.write(shared::SLOT_BIN_RANGES, words(frame, "tile ranges", 2 * uint64_t{b.tiles}));
     bins.counters = node.update(shared::SLOT_BIN_COUNTERS, bins.counters);
     visitSums(node, b, pairs);
 }

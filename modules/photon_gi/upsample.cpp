@@ -11,16 +11,21 @@ graph::Image addUpsample(graph::Frame& frame, const deferred::Surface& surface,
     const graph::Extent size{surface.view.width, surface.view.height};
     const graph::Extent coarse = coarseSize(surface.view, settings.divisor);
     auto node = frame.compute("upsample", shaders::upsample);
-    deferred::bindSurface(node, surface);
     node.sample(shared::SLOT_GATHER_COARSE, gathered.coarse)
-        .sample(shared::SLOT_GATHER_EDGES, edges.edges)
-        .read(shared::SLOT_GATHER_ESTIMATES, gathered.estimates)
+        .uniformData(shared::SLOT_VIEW, surface.view)
         .push(shared::GatherParams{settings.radiusMetres, 1.0f, settings.divisor, coarse.width,
                                    coarse.height, 0, 0, 0.0f});
-    const graph::Image irradiance =
+    graph::Image irradiance =
         node.write(shared::SLOT_GATHER_IRRADIANCE,
                    frame.image("indirect irradiance", {graph::Format::RGBA16Float, size}));
-    node.dispatchOver(size);
+    node.dispatchOver(coarseBlocks(surface.view, settings.divisor));
+
+    auto place = frame.compute("upsample/edges", shaders::upsampleEdges);
+    place.read(shared::SLOT_GATHER_COUNTERS, edges.counters)
+        .read(shared::SLOT_GATHER_LIST, edges.list)
+        .read(shared::SLOT_GATHER_ESTIMATES, gathered.estimates);
+    irradiance = place.update(shared::SLOT_GATHER_IRRADIANCE, irradiance);
+    place.dispatchIndirect(edges.groups);
     return irradiance;
 }
 

@@ -1,7 +1,7 @@
 // How low-resolution texels map to pixels, for every node that gathers or up-samples.
 #ifndef LAMPYRIS_LIB_GATHER_GRID
 #define LAMPYRIS_LIB_GATHER_GRID
-#include "lib/surface.glsl"
+#include "lib/view_space.glsl"
 #include "shared/tile_bin.h"
 
 layout(push_constant) uniform Push { GatherParams params; };

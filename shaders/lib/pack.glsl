@@ -9,12 +9,15 @@ uint packDirection(vec3 v) {
     return packSnorm2x16(v.z <= 0.0 ? (1.0 - abs(p.yx)) * signNotZero(p) : p);
 }
 
-vec3 unpackDirection(uint bits) {
+// The direction before it is made a unit vector: from 0.57 to 1 long.
+vec3 unpackOctahedral(uint bits) {
     vec2 e = unpackSnorm2x16(bits);
-    vec3 v = vec3(e, 1.0 - abs(e.x) - abs(e.y));
-    if (v.z < 0.0) v.xy = (1.0 - abs(v.yx)) * signNotZero(v.xy);
-    return normalize(v);
+    float z = 1.0 - abs(e.x) - abs(e.y);
+    float fold = max(-z, 0.0);  // folds the lower half back; the same as Cigolle's decode
+    return vec3(e.x + (e.x >= 0.0 ? -fold : fold), e.y + (e.y >= 0.0 ? -fold : fold), z);
 }
+
+vec3 unpackDirection(uint bits) { return normalize(unpackOctahedral(bits)); }
 
 // Nine bits a channel and five of exponent (EXT_texture_shared_exponent's layout).
 uint packSharedExponent(vec3 rgb) {

@@ -6,6 +6,7 @@
 #define LAMPYRIS_LIB_PHOTON_ESTIMATE
 #include "lib/gather_grid.glsl"
 #include "lib/photon.glsl"
+#include "lib/surface.glsl"
 
 layout(set = 0, binding = SLOT_BIN_PHOTONS) uniform usamplerBuffer gatherPhotons;
 layout(set = 0, binding = SLOT_GATHER_INDICES) uniform usamplerBuffer gatherIndices;

@@ -10,14 +10,16 @@ float viewDepth(float depth) { return view.projection.z / depth; }
 
 // Slopes x/depth and y/depth of a point of the image plane in pixels (y up).
 vec2 slopes(vec2 pixel) {
-    vec2 ndc = pixel / vec2(view.width, view.height) * 2.0 - 1.0;
-    return vec2(ndc.x, -ndc.y) / view.projection.xy;
+    vec2 scale = vec2(2.0, -2.0) / (vec2(view.width, view.height) * view.projection.xy);
+    return pixel * scale + vec2(-1.0, 1.0) / view.projection.xy;
 }
 
-vec3 positionWorld(ivec2 pixel, float depth) {
+vec3 positionView(ivec2 pixel, float depth) {
     float z = viewDepth(depth);
-    return (view.viewToWorld * vec4(slopes(vec2(pixel) + 0.5) * z, -z, 1.0)).xyz;
+    return vec3(slopes(vec2(pixel) + 0.5) * z, -z);
 }
+
+vec3 positionWorld(ivec2 pixel, float depth) { return (view.viewToWorld * vec4(positionView(pixel, depth), 1.0)).xyz; }
 
 vec3 cameraWorld() { return view.viewToWorld[3].xyz; }
 

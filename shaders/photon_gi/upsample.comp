@@ -1,26 +1,27 @@
-// Irradiance at full resolution: listed pixels take their own estimate, all others the four texels around them.
+// Irradiance at full resolution, between the four texels around each pixel; what they do not stand for is overwritten
+// by upsample_edges.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/coarse_taps.glsl"
+#include "lib/coarse_block.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = SLOT_GATHER_COARSE) uniform sampler2D coarse;
-layout(set = 0, binding = SLOT_GATHER_EDGES) uniform usampler2D edges;
-layout(set = 0, binding = SLOT_GATHER_ESTIMATES, std430) readonly buffer Estimates { vec4 estimates[]; };
 layout(set = 0, binding = SLOT_GATHER_IRRADIANCE, rgba16f) uniform writeonly image2D irradianceIndirect;
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (!insideImage(pixel)) return;
-    vec3 irradiance = vec3(0.0);
-    if (depthAt(pixel) > 0.0) {
-        uint place = texelFetch(edges, pixel, 0).r;
-        if (place > 0u) {
-            irradiance = estimates[place - 1u].rgb;
-        } else {
-            CoarseTaps taps = coarseTaps(pixel);
-            for (int i = 0; i < 4; ++i) irradiance += taps.weights[i] * texelFetch(coarse, taps.texels[i], 0).rgb;
+    ivec2 block = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 first = firstPixel(block);
+    if (any(greaterThanEqual(first, ivec2(view.width, view.height)))) return;
+    vec3 texels[4];
+    for (int i = 0; i < 4; ++i) texels[i] = min(texelFetch(coarse, texelOf(block, i), 0).rgb, vec3(65504.0));
+    int divisor = int(params.divisor);
+    for (int y = 0; y < divisor; ++y)
+        for (int x = 0; x < divisor; ++x) {
+            ivec2 pixel = first + ivec2(x, y);
+            if (!inImage(pixel)) continue;
+            vec4 weights = texelWeights(ivec2(x, y));
+            vec3 irradiance = vec3(0.0);
+            for (int i = 0; i < 4; ++i) irradiance += weights[i] * texels[i];
+            imageStore(irradianceIndirect, pixel, vec4(irradiance, 1.0));
         }
-    }
-    imageStore(irradianceIndirect, pixel, vec4(min(irradiance, vec3(65504.0)), 1.0));
 }

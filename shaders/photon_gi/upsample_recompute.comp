@@ -1,11 +1,10 @@
 // The estimate at full resolution for each listed pixel. ADD_TO_ESTIMATES: adds to what earlier batches gave.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "lib/edge_list.glsl"
 #include "lib/photon_estimate.glsl"
 
 layout(local_size_x = 64) in;
-layout(set = 0, binding = SLOT_GATHER_COUNTERS, std430) readonly buffer Counters { FrameCounters counters; };
-layout(set = 0, binding = SLOT_GATHER_LIST, std430) readonly buffer List { uint list[]; };
 #ifdef ADD_TO_ESTIMATES
 layout(set = 0, binding = SLOT_GATHER_ESTIMATES, std430) buffer Estimates { vec4 estimates[]; };
 #else
@@ -13,9 +12,9 @@ layout(set = 0, binding = SLOT_GATHER_ESTIMATES, std430) writeonly buffer Estima
 #endif
 
 void main() {
-    uint place = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x;
+    uint place = listPlace();
     if (place >= counters.pixelsRecomputed) return;
-    ivec2 pixel = ivec2(list[place] & 0xffffu, list[place] >> 16);
+    ivec2 pixel = listedPixel(place);
     vec3 irradiance = irradianceEstimate(uvec2(pixel) / TILE_PIXELS, positionWorld(pixel, depthAt(pixel)), normalAt(pixel));
 #ifdef ADD_TO_ESTIMATES
     irradiance += estimates[place].rgb;

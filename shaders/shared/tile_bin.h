@@ -20,8 +20,8 @@ LAMPYRIS_SLOT(SLOT_BIN_PHOTON_TOTAL, 14u);  // path offsets; the last is the pho
 LAMPYRIS_SLOT(SLOT_GATHER_INDICES, 2u);     // texels R32Uint
 LAMPYRIS_SLOT(SLOT_GATHER_COUNTERS, 1u);    // FrameCounters
 LAMPYRIS_SLOT(SLOT_GATHER_COARSE, 3u);      // irradiance at low resolution
-LAMPYRIS_SLOT(SLOT_GATHER_EDGES, 4u);       // image: 0, or 1 + place in the list of pixels to recompute
-LAMPYRIS_SLOT(SLOT_GATHER_LIST, 5u);        // those pixels, x | y << 16
+LAMPYRIS_SLOT(SLOT_GATHER_EDGES, 4u);       // image that shows the listed pixels
+LAMPYRIS_SLOT(SLOT_GATHER_LIST, 5u);        // pixels to recompute, x | y << 16
 LAMPYRIS_SLOT(SLOT_GATHER_ESTIMATES, 6u);   // vec4 of irradiance for each of them
 LAMPYRIS_SLOT(SLOT_GATHER_IRRADIANCE, 7u);  // at full resolution
 LAMPYRIS_SLOT(SLOT_GATHER_GROUPS, 8u);      // indirect dispatch
