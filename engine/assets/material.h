@@ -51,6 +51,11 @@ struct Material {
     TextureUse metallicRoughnessTexture;  ///< linear; roughness in G, metallic in B
     TextureUse emissiveTexture;           ///< sRGB
     TextureUse normalTexture;             ///< linear, tangent space
+
+    [[nodiscard]] bool textured() const {
+        return baseColourTexture.present() || metallicRoughnessTexture.present() ||
+               emissiveTexture.present() || normalTexture.present();
+    }
 };
 
 }  // namespace lampyris::assets

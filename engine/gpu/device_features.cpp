@@ -1,5 +1,7 @@
 #include "gpu/device_features.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace lampyris::gpu {
@@ -27,6 +29,32 @@ const std::array kFeatures{
 
 #undef LAMPYRIS_FEATURE
 
+struct SubgroupOperation {
+    const char* name;
+    VkSubgroupFeatureFlagBits bit;
+};
+
+// In compute shaders, for the tile binning of modules/photon_gi.
+constexpr std::array kSubgroupOperations{
+    SubgroupOperation{"VK_SUBGROUP_FEATURE_BASIC_BIT", VK_SUBGROUP_FEATURE_BASIC_BIT},
+    SubgroupOperation{"VK_SUBGROUP_FEATURE_BALLOT_BIT", VK_SUBGROUP_FEATURE_BALLOT_BIT},
+    SubgroupOperation{"VK_SUBGROUP_FEATURE_SHUFFLE_BIT", VK_SUBGROUP_FEATURE_SHUFFLE_BIT},
+};
+
+std::optional<std::string> missingSubgroupOperation(VkPhysicalDevice physical) {
+    auto properties =
+        vulkanStruct<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
+    auto subgroup = vulkanStruct<VkPhysicalDeviceVulkan11Properties>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES);
+    properties.pNext = &subgroup;
+    vkGetPhysicalDeviceProperties2(physical, &properties);
+    const bool inCompute = (subgroup.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0;
+    for (const SubgroupOperation& operation : kSubgroupOperations)
+        if (!inCompute || (subgroup.subgroupSupportedOperations & operation.bit) == 0)
+            return fmt::format("{} in compute shaders", operation.name);
+    return std::nullopt;
+}
+
 }  // namespace
 
 FeatureChain::FeatureChain() {
@@ -39,7 +67,7 @@ std::optional<std::string> missingFeature(VkPhysicalDevice physical) {
     vkGetPhysicalDeviceFeatures2(physical, &there.core);
     for (const Feature& feature : kFeatures)
         if (feature.required && feature.in(there) != VK_TRUE) return feature.name;
-    return std::nullopt;
+    return missingSubgroupOperation(physical);
 }
 
 std::vector<std::string> chooseFeatures(VkPhysicalDevice physical, FeatureChain& chain) {

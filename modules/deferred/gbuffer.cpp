@@ -13,18 +13,20 @@ namespace {
 
 using shared::GBufferDraw;
 
-/// Pipelines for every combination of attributes that a mesh may lack; a missing one has stride 0.
+/// Pipelines for every combination of attributes that a mesh may lack (a missing one has stride 0),
+/// and for materials without textures.
 struct GBufferPipelines {
-    std::array<graph::RasterPipeline, 8> byAttributes;
+    std::array<graph::RasterPipeline, 16> byAttributes;
 
     GBufferPipelines() {
-        for (uint32_t bits = 0; bits < 8; ++bits) {
+        for (uint32_t bits = 0; bits < byAttributes.size(); ++bits) {
             const auto optionalStride = [bits](uint32_t bit) {
                 return (bits & bit) != 0 ? 16u : 0u;
             };
             byAttributes[bits] = {
                 .vertex = &shaders::gbufferVert,
-                .fragment = &shaders::gbufferFrag,
+                .fragment =
+                    (bits & 8) != 0 ? &shaders::gbufferFrag : &shaders::gbufferUntexturedFrag,
                 .attributes = {{shared::STREAM_POSITION, 0, 3, 12},
                                {shared::STREAM_NORMAL, 1, 3, 12},
                                {shared::STREAM_TANGENT, 2, 4, optionalStride(1)},
@@ -37,7 +39,7 @@ struct GBufferPipelines {
 const graph::RasterPipeline& pipelineFor(const residency::DrawItem& item) {
     static const GBufferPipelines pipelines;
     return pipelines.byAttributes[(item.hasTangents ? 1u : 0u) | (item.hasTexcoords ? 2u : 0u) |
-                                  (item.hasColours ? 4u : 0u)];
+                                  (item.hasColours ? 4u : 0u) | (item.textured ? 8u : 0u)];
 }
 
 void drawItem(graph::RasterCommands& commands, const residency::SceneHandles& scene,
@@ -81,7 +83,7 @@ Surface addGBuffer(graph::Frame& frame, const shared::View& view,
         .sample(shared::SLOT_DATA_TEXTURES, scene.dataTextures, graph::Filtering::Linear,
                 graph::Addressing::Repeat)
         .uniformData(shared::SLOT_VIEW, view);
-    node.record({&shaders::gbufferVert, &shaders::gbufferFrag},
+    node.record({&shaders::gbufferVert, &shaders::gbufferFrag, &shaders::gbufferUntexturedFrag},
                 [scene, items = draws](graph::RasterCommands& commands) {
                     for (const auto& item : items) drawItem(commands, scene, item);
                 });

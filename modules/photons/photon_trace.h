@@ -38,7 +38,7 @@ constexpr uint32_t kMaxPhotonCapacity = 65535u * 64u;
 struct PhotonList {
     graph::Buffer photons{};      ///< shared::PackedPhoton
     graph::Buffer pathOffsets{};  ///< sums before each path; [pathCount] is the photons' number,
-                                ///< dropped ones too
+                                  ///< dropped ones too
     graph::Buffer ledger{};       ///< shared::LEDGER_FLOATS a workgroup of TRACE_THREADS paths
     graph::Buffer counters{};     ///< shared::FrameCounters, with this batch added
     uint32_t pathCount = 0;

@@ -47,6 +47,7 @@ struct DrawItem {
     bool hasTangents = false;
     bool hasTexcoords = false;
     bool hasColours = false;
+    bool textured = false;  ///< its material has a texture
 };
 
 /// Binds what lib/scene_material.glsl reads: instances, materials, indices, texcoords, colours and

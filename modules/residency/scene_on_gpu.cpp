@@ -132,7 +132,8 @@ void SceneOnGpu::Parts::listDraws(const scene::SceneSnapshot& snapshot) {
                          .colourOffsetBytes = offset(range.firstColour, Streams::Colours),
                          .hasTangents = range.firstTangent != shared::SCENE_NONE,
                          .hasTexcoords = range.firstTexcoord != shared::SCENE_NONE,
-                         .hasColours = range.firstColour != shared::SCENE_NONE});
+                         .hasColours = range.firstColour != shared::SCENE_NONE,
+                         .textured = snapshot.materials[instance.material].value->textured()});
     }
 }
 
