@@ -18,12 +18,14 @@ bool occluded(GpuLight light, vec3 origin, vec3 normal, inout uvec2 random) {
     vec3 toCentre = light.positionRadius.xyz - origin;
     float d2 = dot(toCentre, toCentre);
     float radius = light.positionRadius.w;
-    vec3 direction = normalize(toCentre);
+    vec3 axis = normalize(toCentre), direction = axis;
     float reach = sqrt(d2);
     if (d2 > radius * radius) {
         float cosCone = sqrt(max(0.0, 1.0 - radius * radius / d2));
-        for (int attempt = 0; attempt < 4; ++attempt) {
-            vec3 sampled = sampleCone(normalize(toCentre), cosCone, random2(random));
+        // Where the horizon cuts the sphere, what falls under it is drawn anew.
+        int attempts = dot(toCentre, normal) >= radius ? 1 : 4;
+        for (int attempt = 0; attempt < attempts; ++attempt) {
+            vec3 sampled = sampleCone(axis, cosCone, random2(random));
             direction = sampled;
             if (dot(sampled, normal) > 0.0) break;
         }
