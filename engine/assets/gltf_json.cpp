@@ -56,7 +56,7 @@ uint64_t Place::whole(const char* key, std::optional<uint64_t> fallback) const {
     return fallback.value_or(0);
 }
 
-std::string Place::text(const char* key, std::optional<std::string> fallback) const {
+std::string Place::text(const char* key, const std::optional<std::string>& fallback) const {
     if (!has(key)) {
         if (!fallback) complain("{} is missing", key);
         return fallback.value_or("");
