@@ -99,7 +99,8 @@ double reachInto(const Lists& lists, const Trial& trial, const shared::View& vie
         return -(py / view.height * 2.0 - 1.0) / static_cast<double>(view.projection.y);
     };
     const auto tx = static_cast<double>(tile % view.tilesX) * 8.0;
-    const auto ty = static_cast<double>(tile / view.tilesX) * 8.0;
+    const size_t row = tile / view.tilesX;
+    const auto ty = static_cast<double>(row) * 8.0;
     const auto plane = [](double slope, double axis, double depth) {
         return (slope * depth - axis) / std::sqrt(1.0 + slope * slope);
     };
