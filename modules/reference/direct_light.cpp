@@ -6,23 +6,20 @@ namespace lampyris::reference {
 namespace {
 
 /// One light by its solid angle.
-Received towardsLight(const Stage& stage, const Reflector& reflector, float total, glm::vec3 xi,
-                      uint64_t& rays) {
-    const SphereLights& lights = *stage.lights;
+Received towardsLight(const Stage& stage, const Reflector& reflector,
+                      const SphereLights::Choice& choice, glm::vec2 xi, uint64_t& rays) {
     const glm::vec3& origin = reflector.origin();
-    const uint32_t light = lights.choose(origin, reflector.geometricNormal(), total, xi.x);
-    const LightSample sample = lights.sample(light, origin, {xi.y, xi.z});
+    const LightSample sample = stage.lights->sample(choice.light, origin, xi);
     const float cosine = reflector.diffuseCosine(sample.direction);
     glm::vec3 specular = reflector.specular(sample.direction);
     if (cosine <= 0.0f && specular == glm::vec3(0.0f)) return {};
     if (sample.radianceOverDensity == glm::vec3(0.0f)) return {};
     ++rays;
     if (stage.scene->blocked({origin, sample.direction, 0.0f, sample.distance})) return {};
-    const float chance = lights.importance(light, origin, reflector.geometricNormal()) / total;
     if (reflector.gloss())
-        specular *=
-            powerHeuristic(sample.density * chance, reflector.gloss()->density(sample.direction));
-    const glm::vec3 arriving = sample.radianceOverDensity / chance;
+        specular *= powerHeuristic(sample.density * choice.chance,
+                                   reflector.gloss()->density(sample.direction));
+    const glm::vec3 arriving = sample.radianceOverDensity * (1.0f / choice.chance);
     return {arriving * cosine, arriving * specular};
 }
 
@@ -53,14 +50,15 @@ glm::vec3 alongGloss(const Stage& stage, const Reflector& reflector, float total
 
 Received sphereLight(const Stage& stage, const Reflector& reflector, const OwenSobol& numbers,
                      uint32_t vertex, uint64_t& rays) {
-    const float total =
-        stage.lights->totalImportance(reflector.origin(), reflector.geometricNormal());
-    if (!(total > 0.0f)) return {};
-    Received received =
-        towardsLight(stage, reflector, total, numbers.three(groupOf(vertex, Use::Light)), rays);
+    const glm::vec4 xi = numbers.group(groupOf(vertex, Use::Light));
+    const SphereLights::Choice choice =
+        stage.lights->choose(reflector.origin(), reflector.geometricNormal(), xi.z);
+    if (!(choice.chance > 0.0f)) return {};
+    Received received = towardsLight(stage, reflector, choice, {xi.x, xi.y}, rays);
     if (reflector.gloss())
         received.specular +=
-            alongGloss(stage, reflector, total, numbers.two(groupOf(vertex, Use::Gloss)), rays);
+            alongGloss(stage, reflector, choice.total,
+                       glm::vec2(numbers.group(groupOf(vertex, Use::Gloss))), rays);
     return received;
 }
 
@@ -69,7 +67,7 @@ Received emitterLight(const Stage& stage, const Reflector& reflector, const Owen
     if (stage.emitters->empty()) return {};
     const glm::vec3& origin = reflector.origin();
     const EmitterSample sample =
-        stage.emitters->sample(origin, numbers.three(groupOf(vertex, Use::Emitter)));
+        stage.emitters->sample(origin, glm::vec3(numbers.group(groupOf(vertex, Use::Emitter))));
     if (sample.radiance == glm::vec3(0.0f)) return {};
     const glm::vec3 to = sample.position - origin;
     const float d2 = glm::dot(to, to);

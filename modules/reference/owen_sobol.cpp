@@ -41,17 +41,18 @@ constexpr std::array<uint32_t, 8 * kBytes> columns(const Polynomial& p) {
     return v;
 }
 
-/// By the index's bytes, bits reversed: scrambling wants the leading bit in the lowest place.
-using ByteTable = std::array<uint32_t, 256>;
-constexpr std::array<std::array<ByteTable, kBytes>, kDimensions> makeTables() {
-    std::array<std::array<ByteTable, kBytes>, kDimensions> tables{};
+/// By the index's bytes, lowest first. Numbers and bytes have their bits reversed: scrambling wants
+/// the leading bit in the lowest place.
+using ByteTable = std::array<std::array<uint32_t, kDimensions>, 256>;
+constexpr std::array<ByteTable, kBytes> makeTables() {
+    std::array<ByteTable, kBytes> tables{};
     for (uint32_t d = 0; d < kDimensions; ++d) {
         const auto column = columns(kPolynomials[d]);
         for (uint32_t place = 0; place < kBytes; ++place)
             for (uint32_t byte = 0; byte < 256; ++byte)
                 for (uint32_t bit = 0; bit < 8; ++bit)
-                    if (((byte >> bit) & 1u) != 0)
-                        tables[d][place][byte] ^= reverseBits(column[8 * place + bit]);
+                    if (((byte >> (7 - bit)) & 1u) != 0)
+                        tables[place][byte][d] ^= reverseBits(column[8 * place + bit]);
     }
     return tables;
 }
@@ -68,46 +69,29 @@ uint32_t scrambleReversed(uint32_t x, uint32_t seed) {
     return x;
 }
 
-/// The place of a sample in a group's own order, which keeps blocks of powers of two together
-/// (Burley 2020).
-uint32_t shuffled(uint32_t index, uint32_t groupSeed) {
-    return reverseBits(scrambleReversed(reverseBits(index), groupSeed)) & (kLongestSequence - 1);
-}
-
-float number(uint32_t place, uint32_t dimension, uint32_t groupSeed) {
-    const auto& table = kTables[dimension];
-    const uint32_t reversed = table[0][place & 255u] ^ table[1][place >> 8u];
-    const uint32_t seed = mixSeeds(groupSeed, dimension + 1);
-    return static_cast<float>(reverseBits(scrambleReversed(reversed, seed)) >> 8u) * 0x1p-24f;
-}
-
 }  // namespace
 
-uint32_t mixSeeds(uint32_t a, uint32_t b) {
-    // Rounds of a 32-bit finaliser (Wellons 2018, lowbias32).
-    uint32_t x = a ^ (b * 0x9e3779b9u + 0x7f4a7c15u);
-    x = (x ^ (x >> 16u)) * 0x7feb352du;
-    x = (x ^ (x >> 15u)) * 0x846ca68bu;
-    return x ^ (x >> 16u);
-}
+OwenSobol::OwenSobol(uint32_t seed, uint32_t index)
+    : seed_(seed), reversedIndex_(reverseBits(index)) {}
 
-glm::vec2 OwenSobol::two(uint32_t group) const {
-    const uint32_t seed = mixSeeds(seed_, group);
-    const uint32_t place = shuffled(index_, seed);
-    return {number(place, 0, seed), number(place, 1, seed)};
-}
-
-glm::vec3 OwenSobol::three(uint32_t group) const {
-    const uint32_t seed = mixSeeds(seed_, group);
-    const uint32_t place = shuffled(index_, seed);
-    return {number(place, 0, seed), number(place, 1, seed), number(place, 2, seed)};
-}
-
-glm::vec4 OwenSobol::four(uint32_t group) const {
-    const uint32_t seed = mixSeeds(seed_, group);
-    const uint32_t place = shuffled(index_, seed);
-    return {number(place, 0, seed), number(place, 1, seed), number(place, 2, seed),
-            number(place, 3, seed)};
+glm::vec4 OwenSobol::group(uint32_t number) const {
+    const uint32_t seed = mixSeeds(seed_, number);
+    // The group's points in an order of its own, which keeps blocks of powers of two together
+    // (Burley 2020).
+    const uint32_t place = scrambleReversed(reversedIndex_, seed);
+    // Loops of four steps: the compiler makes them one of vectors.
+    std::array<uint32_t, kDimensions> x{};
+    for (uint32_t d = 0; d < kDimensions; ++d)
+        x[d] = kTables[0][place >> 24u][d] ^ kTables[1][(place >> 16u) & 255u][d];
+    for (uint32_t d = 0; d < kDimensions; ++d) {
+        uint32_t own = (seed + (d + 1) * 0x9e3779b9u) * 0x7feb352du;
+        own ^= own >> 15u;
+        x[d] = reverseBits(scrambleReversed(x[d], own)) >> 8u;
+    }
+    glm::vec4 result;
+    for (uint32_t d = 0; d < kDimensions; ++d)
+        result[static_cast<int>(d)] = static_cast<float>(static_cast<int32_t>(x[d])) * 0x1p-24f;
+    return result;
 }
 
 }  // namespace lampyris::reference

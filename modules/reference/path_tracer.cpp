@@ -17,7 +17,7 @@ float largest(const glm::vec3& rgb) {
 }
 
 glm::vec3 reflected(const Reflector& reflector, const Received& received) {
-    return reflector.albedo() / math::kPi * received.irradiance + received.specular;
+    return reflector.albedo() * (1.0f / math::kPi) * received.irradiance + received.specular;
 }
 
 }  // namespace
@@ -41,7 +41,8 @@ LightSplit PathTracer::sample(const Seen& seen, const OwenSobol& numbers) {
     const Received glow = emitterLight(stage_, seen.scattering, numbers, 0, rays_);
     split.irradianceIndirect = glow.irradiance;
     split.specularIndirect = glow.specular;
-    const glm::vec3 direction = seen.scattering.sample(numbers.three(groupOf(0, Use::Continue)));
+    const glm::vec3 direction =
+        seen.scattering.sample(glm::vec3(numbers.group(groupOf(0, Use::Continue))));
     const float density = seen.scattering.density(direction);
     if (!(density > 0.0f)) return split;
     const float cosine = seen.scattering.diffuseCosine(direction);
@@ -73,19 +74,20 @@ glm::vec3 PathTracer::arriving(Ray ray, float density, const OwenSobol& numbers)
 
         const Reflector reflector(surface, -ray.direction, surface.geometric, glossyPaths_,
                                   stage_.scene->clearance());
+        // Drawn before the shadow rays, so that the processor does both at once.
+        const glm::vec4 xi = numbers.group(groupOf(bounce, Use::Continue));
+        const glm::vec3 direction = reflector.sample(glm::vec3(xi));
+        density = reflector.density(direction);
         sum += throughput *
                reflected(reflector, sphereLight(stage_, reflector, numbers, bounce, rays_));
         sum += throughput *
                reflected(reflector, emitterLight(stage_, reflector, numbers, bounce, rays_));
         if (bounce == maxBounces_ && stage_.emitters->empty()) return sum;
 
-        const glm::vec4 xi = numbers.four(groupOf(bounce, Use::Continue));
-        const glm::vec3 direction = reflector.sample(glm::vec3(xi));
-        density = reflector.density(direction);
         if (!(density > 0.0f)) return sum;
         throughput *= reflected(reflector, {glm::vec3(reflector.diffuseCosine(direction)),
-                                            reflector.specular(direction)}) /
-                      density;
+                                            reflector.specular(direction)}) *
+                      (1.0f / density);
         if (bounce >= kRouletteFrom) {
             const float survival = std::min(largest(throughput), kMostSurvival);
             if (xi.w >= survival) return sum;

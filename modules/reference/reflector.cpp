@@ -28,25 +28,4 @@ Reflector::Reflector(const Surface& surface, const glm::vec3& toEye, const glm::
                          : 1.0f;
 }
 
-float Reflector::diffuseCosine(const glm::vec3& toLight) const {
-    if (glm::dot(geometric_, toLight) <= 0.0f) return 0.0f;
-    return std::max(glm::dot(diffuse_.normal, toLight), 0.0f);
-}
-
-glm::vec3 Reflector::specular(const glm::vec3& toLight) const {
-    if (!gloss_ || glm::dot(geometric_, toLight) <= 0.0f) return glm::vec3(0.0f);
-    return gloss_->timesCosine(toLight);
-}
-
-glm::vec3 Reflector::sample(const glm::vec3& xi) const {
-    if (gloss_ && xi.z < specularShare_) return gloss_->sample({xi.x, xi.y});
-    return diffuse_.toWorld(warpToCosine({xi.x, xi.y}));
-}
-
-float Reflector::density(const glm::vec3& toLight) const {
-    const float cosine = std::max(glm::dot(diffuse_.normal, toLight), 0.0f);
-    const float matt = (1.0f - specularShare_) * cosine / math::kPi;
-    return gloss_ ? matt + specularShare_ * gloss_->density(toLight) : matt;
-}
-
 }  // namespace lampyris::reference

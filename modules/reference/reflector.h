@@ -1,6 +1,7 @@
 /// \file A surface seen from one direction: how it reflects, and where its paths go.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "reference/ggx.h"
@@ -22,19 +23,30 @@ class Reflector {
     [[nodiscard]] const std::optional<Ggx>& gloss() const { return gloss_; }
 
     /// Cosine to the diffuse normal; 0 from below. Times albedo/π it is BRDF · cosine.
-    [[nodiscard]] float diffuseCosine(const glm::vec3& toLight) const;
+    [[nodiscard]] float diffuseCosine(const glm::vec3& toLight) const {
+        if (glm::dot(geometric_, toLight) <= 0.0f) return 0.0f;
+        return std::max(glm::dot(diffuse_, toLight), 0.0f);
+    }
     /// GGX · cosine, 1/sr; 0 from below.
-    [[nodiscard]] glm::vec3 specular(const glm::vec3& toLight) const;
+    [[nodiscard]] glm::vec3 specular(const glm::vec3& toLight) const {
+        if (!gloss_ || glm::dot(geometric_, toLight) <= 0.0f) return glm::vec3(0.0f);
+        return gloss_->timesCosine(toLight);
+    }
 
     /// A direction for a path to go on, from both lobes.
-    [[nodiscard]] glm::vec3 sample(const glm::vec3& xi) const;
+    [[nodiscard]] glm::vec3 sample(const glm::vec3& xi) const {
+        if (gloss_ && xi.z < specularShare_) return gloss_->sample({xi.x, xi.y});
+        return warpToCosine({xi.x, xi.y}, diffuse_);
+    }
     /// Density a steradian of sample().
-    [[nodiscard]] float density(const glm::vec3& toLight) const;
+    [[nodiscard]] float density(const glm::vec3& toLight) const {
+        const float cosine = std::max(glm::dot(diffuse_, toLight), 0.0f);
+        const float matt = (1.0f - specularShare_) * cosine / math::kPi;
+        return gloss_ ? matt + specularShare_ * gloss_->density(toLight) : matt;
+    }
 
  private:
-    glm::vec3 origin_, geometric_;
-    Frame diffuse_;
-    glm::vec3 albedo_;
+    glm::vec3 origin_, geometric_, diffuse_, albedo_;
     std::optional<Ggx> gloss_;
     float specularShare_ = 0.0f;  ///< of the directions that sample() draws
 };

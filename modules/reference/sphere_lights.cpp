@@ -16,9 +16,8 @@ float oneMinusCos(float sine2) {
     return sine2 / (1.0f + std::sqrt(std::max(0.0f, 1.0f - sine2)));
 }
 
-/// Falloff between the cones, as KHR_lights_punctual recommends it; 1 for a full sphere.
+/// Falloff between the cones, as KHR_lights_punctual recommends it.
 float falloff(float cosAngle, float cosInner, float cosOuter) {
-    if (cosOuter <= -1.0f) return 1.0f;
     const float t =
         std::clamp((cosAngle - cosOuter) / std::max(cosInner - cosOuter, 1e-4f), 0.0f, 1.0f);
     return t * t;
@@ -54,41 +53,39 @@ float SphereLights::importance(uint32_t index, const glm::vec3& position,
     return light.power / d2;
 }
 
-float SphereLights::totalImportance(const glm::vec3& position, const glm::vec3& normal) const {
-    float total = 0.0f;
-    for (uint32_t i = 0; i < count(); ++i) total += importance(i, position, normal);
-    return total;
-}
-
-uint32_t SphereLights::choose(const glm::vec3& position, const glm::vec3& normal, float total,
-                              float xi) const {
-    float left = xi * total;
-    uint32_t last = 0;
-    for (uint32_t i = 0; i < count(); ++i) {
+SphereLights::Choice SphereLights::choose(const glm::vec3& position, const glm::vec3& normal,
+                                          float xi) const {
+    Choice choice;
+    for (uint32_t i = 0; i < count(); ++i) choice.total += importance(i, position, normal);
+    if (!(choice.total > 0.0f)) return choice;
+    if (count() == 1) return {0, 1.0f, choice.total};
+    float left = xi * choice.total;
+    for (uint32_t i = 0; i < count() && left >= 0.0f; ++i) {
         const float share = importance(i, position, normal);
         if (share <= 0.0f) continue;
-        last = i;
+        choice.light = i;  // the last of them where rounding leaves something
+        choice.chance = share / choice.total;
         left -= share;
-        if (left < 0.0f) break;
     }
-    return last;
+    return choice;
 }
 
 LightSample SphereLights::sample(uint32_t index, const glm::vec3& position, glm::vec2 xi) const {
     const Light& light = lights_[index];
     const glm::vec3 to = light.centre - position;
     const float d2 = glm::dot(to, to), r2 = light.radius * light.radius;
+    const bool inside = d2 <= r2;
+    const float height = inside ? 2.0f : oneMinusCos(r2 / d2);
+    const glm::vec3 local = warpToCone(xi, height);
     LightSample sample;
-    if (d2 <= r2) {
-        sample.direction = warpToSphere(xi);
-    } else {
-        const Frame frame(to / std::sqrt(d2));
-        sample.direction = frame.toWorld(warpToCone(xi, oneMinusCos(r2 / d2)));
-    }
-    sample.density = density(index, position);
-    // At the sphere's rim rounding may miss it: its centre is as far as its rim.
-    sample.distance = meet(index, position, sample.direction).value_or(std::sqrt(d2));
-    sample.radianceOverDensity = radiance(index, sample.direction) / sample.density;
+    sample.direction = inside ? local : Frame(to * (1.0f / std::sqrt(d2))).toWorld(local);
+    const float solidAngle = 2.0f * math::kPi * height;
+    sample.density = 1.0f / solidAngle;
+    const float along = glm::dot(sample.direction, to);
+    const glm::vec3 aside = to - along * sample.direction;
+    const float half = std::sqrt(std::max(0.0f, r2 - glm::dot(aside, aside)));
+    sample.distance = std::max(0.0f, inside ? along + half : along - half);
+    sample.radianceOverDensity = radiance(index, sample.direction) * solidAngle;
     return sample;
 }
 
@@ -122,6 +119,7 @@ bool SphereLights::contains(uint32_t index, const glm::vec3& position) const {
 
 glm::vec3 SphereLights::radiance(uint32_t index, const glm::vec3& direction) const {
     const Light& light = lights_[index];
+    if (light.cosOuter <= -1.0f) return light.radiance;
     return light.radiance *
            falloff(glm::dot(-direction, light.axis), light.cosInner, light.cosOuter);
 }

@@ -27,13 +27,15 @@ class SphereLights {
     [[nodiscard]] uint32_t count() const { return static_cast<uint32_t>(lights_.size()); }
 
     /// How much a light may matter at a point: 0 where none of it can be seen from the side that
-    /// the normal points to.
+    /// the normal points to. A light is chosen with its share of the sum over all.
     [[nodiscard]] float importance(uint32_t light, const glm::vec3& position,
                                    const glm::vec3& normal) const;
-    /// Σ importance. A light is chosen with its share of it.
-    [[nodiscard]] float totalImportance(const glm::vec3& position, const glm::vec3& normal) const;
-    [[nodiscard]] uint32_t choose(const glm::vec3& position, const glm::vec3& normal, float total,
-                                  float xi) const;
+    struct Choice {
+        uint32_t light = 0;
+        float chance = 0.0f;  ///< 0 where there is none to choose
+        float total = 0.0f;   ///< Σ importance
+    };
+    [[nodiscard]] Choice choose(const glm::vec3& position, const glm::vec3& normal, float xi) const;
 
     /// Uniform over the solid angle that the sphere fills.
     [[nodiscard]] LightSample sample(uint32_t light, const glm::vec3& position, glm::vec2 xi) const;

@@ -37,8 +37,12 @@ glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
 
 glm::vec3 frontNormal(const MeshPoint& point) {
     const glm::vec3 across = point.acrossWorld();
-    const float largest = std::max({std::abs(across.x), std::abs(across.y), std::abs(across.z)});
-    return largest > 0.0f ? glm::normalize(across / largest) : glm::vec3(0.0f, 1.0f, 0.0f);
+    const float length2 = glm::dot(across, across);
+    if (length2 > 1e-30f && length2 < 1e30f) return across * (1.0f / std::sqrt(length2));
+    // Squares of tiny and huge areas leave the range of float.
+    const glm::dvec3 precise(across);
+    const double length = glm::length(precise);
+    return length > 0.0 ? glm::vec3(precise / length) : glm::vec3(0.0f, 1.0f, 0.0f);
 }
 
 glm::vec3 mappedNormal(const MeshPoint& point, const glm::vec3& normal) {
