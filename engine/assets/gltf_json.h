@@ -45,7 +45,7 @@ class Place {
     /// A number that a float can hold; complains if it is absent and has no fallback.
     [[nodiscard]] double number(const char* key, std::optional<double> fallback = {}) const;
     /// Where present: an array of numbers that floats can hold, `count` of them (0: any).
-    void numbers(const char* key, size_t count) const;
+    void numbers(const char* key, size_t count, bool negativeToo = true) const;
     /// An index under `size`, or nothing where it is absent.
     std::optional<uint32_t> index(const char* key, size_t size) const;
     /// The same, complaining where it is absent.
