@@ -9,17 +9,13 @@
 
 namespace lampyris::reference {
 
-/// Two unit vectors at right angles to a unit vector and to each other (Frisvad 2012).
+/// Two unit vectors at right angles to a unit vector and to each other (Hughes and Möller 1999).
 struct Frame {
     explicit Frame(const glm::vec3& n) : normal(n) {
-        if (n.z < -0.9999f) {  // the formula's pole
-            tangent = glm::normalize(glm::vec3(n.z, 0.0f, -n.x));
-            bitangent = glm::cross(n, tangent);
-            return;
-        }
-        const float a = 1.0f / (1.0f + n.z), b = -n.x * n.y * a;
-        tangent = {1.0f - n.x * n.x * a, b, -n.x};
-        bitangent = {b, 1.0f - n.y * n.y * a, -n.y};
+        const glm::vec3 across =
+            std::abs(n.x) > std::abs(n.z) ? glm::vec3(-n.y, n.x, 0.0f) : glm::vec3(0.0f, -n.z, n.y);
+        tangent = across * (1.0f / std::sqrt(glm::dot(across, across)));
+        bitangent = glm::cross(n, tangent);
     }
     [[nodiscard]] glm::vec3 toWorld(const glm::vec3& local) const {
         return local.x * tangent + local.y * bitangent + local.z * normal;
