@@ -17,7 +17,8 @@ Result<void> writeExr(const std::filesystem::path& path, const Image& image);
 Result<Image> readExr(const std::filesystem::path& path);
 
 Result<void> writePng(const std::filesystem::path& path, const DisplayImage& image);
-/// An 8-bit PNG file; alpha is dropped, grey is spread.
+/// A PNG file as 8-bit values; alpha is dropped, grey is spread. A file that is cut or damaged is
+/// an error.
 Result<DisplayImage> readPng(const std::filesystem::path& path);
 
 /// By the file's ending: .exr as it is, .png through the display transform; any other is an error.
