@@ -33,7 +33,7 @@ Detectors detectorsFor(double pixelsPerDegree) {
     const int radius = static_cast<int>(std::ceil(3.0 * sigma));
     Detectors detectors{gaussian(sigma, radius), {}, {}};
     for (int x = -radius; x <= radius; ++x) {
-        const double weight = detectors.smooth[static_cast<size_t>(x + radius)];
+        const double weight = detectors.smooth[detectors.edge.size()];
         detectors.edge.push_back(-x * weight);
         detectors.point.push_back((x * x / (sigma * sigma) - 1.0) * weight);
     }

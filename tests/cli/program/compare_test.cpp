@@ -25,7 +25,7 @@ class Compare : public testing::Test {
     /// A file that holds the first part of another.
     std::string cut(const std::string& whole, size_t part, size_t parts) {
         const std::string bytes = textOf(whole);
-        const std::string path = folder_ / ("cut" + whole.substr(whole.rfind('.')));
+        std::string path = folder_ / ("cut" + whole.substr(whole.rfind('.')));
         EXPECT_TRUE(core::writeFile(path, bytes.substr(0, bytes.size() * part / parts)).ok());
         return path;
     }
