@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "command.h"
 #include "progress.h"
@@ -13,11 +14,16 @@ namespace {
 struct Benchmark {
     core::Result<void> (*run)(const BenchCall&);
     const char* what;
+    std::vector<const char*> fixed{};  ///< options that it sets itself
 };
 
 const std::map<std::string, Benchmark> kBenchmarks{
-    {"nodes", {benchNodes, "frame rate and GPU milliseconds a node, full beside thesis"}},
-    {"binning", {benchBinning, "photons to tiles, gather and up-sampling, full beside thesis"}},
+    {"nodes",
+     {benchNodes, "frame rate and GPU milliseconds a node, full beside thesis", {"--pipeline"}}},
+    {"binning",
+     {benchBinning,
+      "photons to tiles, gather and up-sampling, full beside thesis",
+      {"--pipeline", "--photons", "--radius"}}},
     {"rays", {benchRays, "closest hits in the shader beside Embree"}},
     {"accel", {benchAccel, "BVH builds and memory of the built-in scenes"}}};
 
@@ -28,10 +34,13 @@ std::string listBenchmarks() {
     return list;
 }
 
-core::Result<void> checkBench(const std::string& name, const BenchCall& call) {
+core::Result<void> checkBench(const CLI::App& app, const std::string& name, const BenchCall& call) {
     if (!kBenchmarks.contains(name))
         return core::error("bench {}: there is no such benchmark; there are {}", name,
                            listBenchmarks());
+    for (const char* option : kBenchmarks.at(name).fixed)
+        if (app.get_option(option)->count() > 0)
+            return core::error("bench {} sets {} itself", name, option);
     return checkCall(call.options);
 }
 
@@ -73,8 +82,8 @@ void addBench(CLI::App& program, Command& called) {
         ->type_name("DIR");
     app->add_flag("--quick", call->quick, "smaller and fewer");
     addFrameOptions(*app, call->options);
-    app->callback([name, call, &called] {
-        called.check = [name, call] { return checkBench(*name, *call); };
+    app->callback([app, name, call, &called] {
+        called.check = [app, name, call] { return checkBench(*app, *name, *call); };
         called.run = [name, call] { return runBench(*name, *call); };
     });
 }

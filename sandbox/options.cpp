@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -153,6 +154,12 @@ core::Result<void> checkCall(const Options& o) {
                            *o.maxBounces);
     if (o.gather == "final") return core::error("--gather final is not available; tiles is");
     if (o.history > 0) return core::error("--history {}: there is no history yet", o.history);
+    const std::array files{o.output, o.report, o.graph, o.trace};
+    for (size_t i = 0; i < files.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+            if (!files[i].empty() && files[i] == files[j])
+                return core::error("{} is asked for twice, for different things",
+                                   files[i].string());
     if (!endsIn(o.output, {".png", ".exr"}))
         return core::error("--output {}: the file must end in .png or .exr", o.output.string());
     if (!endsIn(o.graph, {".dot", ".json"}))

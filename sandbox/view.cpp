@@ -89,8 +89,9 @@ class Viewer {
             return fmt::format("lampyris: {}, {:.1f} ms", options_.scene,
                                outcome.statistics.gpuMilliseconds);
         const shared::FrameCounters& counters = outcome.report.counters;
-        return fmt::format("lampyris: INVALID FRAME, {} photons and {} tile entries dropped",
-                           counters.photonsDropped, counters.pairsDropped);
+        return fmt::format(
+            "lampyris: INVALID FRAME, {} photons and {} tile entries dropped, {} in a tile",
+            counters.photonsDropped, counters.pairsDropped, counters.mostInTile);
     }
 
     const Options& options_;

@@ -101,7 +101,7 @@ void checkLight(const Place& place) {
     if (type != "point" && type != "spot" && type != "directional")
         return place.complain("has the unknown type {}", type);
     if (type == "spot" && !place.has("spot")) place.complain("spot is missing");
-    place.numbers("color", 3);
+    place.numbers("color", 3, false);
     for (const char* key : {"intensity", "range"}) {
         if (place.number(key, 1.0) < 0.0) place.complain("has a negative {}", key);
     }

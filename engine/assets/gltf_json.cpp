@@ -56,7 +56,7 @@ uint64_t Place::whole(const char* key, std::optional<uint64_t> fallback) const {
     return fallback.value_or(0);
 }
 
-std::string Place::text(const char* key, std::optional<std::string> fallback) const {
+std::string Place::text(const char* key, const std::optional<std::string>& fallback) const {
     if (!has(key)) {
         if (!fallback) complain("{} is missing", key);
         return fallback.value_or("");
@@ -77,12 +77,17 @@ double Place::number(const char* key, std::optional<double> fallback) const {
     return place.value_->is_number() ? place.value_->get<double>() : fallback.value_or(0.0);
 }
 
-void Place::numbers(const char* key, size_t count) const {
+void Place::numbers(const char* key, size_t count, bool negativeToo) const {
     if (!has(key)) return;
     const size_t length = this->length(key);
     if (count != 0 && length != count)
         member(key).complain("has {} numbers in place of {}", length, count);
-    for (size_t i = 0; i < length; ++i) element(key, i).checkNumber();
+    for (size_t i = 0; i < length; ++i) {
+        const Place place = element(key, i);
+        place.checkNumber();
+        if (!negativeToo && place.value_->is_number() && place.value_->get<double>() < 0.0)
+            place.complain("is negative");
+    }
 }
 
 std::optional<uint32_t> Place::index(const char* key, size_t size) const {

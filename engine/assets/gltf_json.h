@@ -40,11 +40,12 @@ class Place {
     /// A whole number from 0 to 2^53; complains if it is absent and has no fallback.
     [[nodiscard]] uint64_t whole(const char* key, std::optional<uint64_t> fallback = {}) const;
     /// A string; complains if it is absent and has no fallback.
-    [[nodiscard]] std::string text(const char* key, std::optional<std::string> fallback = {}) const;
+    [[nodiscard]] std::string text(const char* key,
+                                   const std::optional<std::string>& fallback = {}) const;
     /// A number that a float can hold; complains if it is absent and has no fallback.
     [[nodiscard]] double number(const char* key, std::optional<double> fallback = {}) const;
     /// Where present: an array of numbers that floats can hold, `count` of them (0: any).
-    void numbers(const char* key, size_t count) const;
+    void numbers(const char* key, size_t count, bool negativeToo = true) const;
     /// An index under `size`, or nothing where it is absent.
     std::optional<uint32_t> index(const char* key, size_t size) const;
     /// The same, complaining where it is absent.

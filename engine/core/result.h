@@ -66,12 +66,10 @@ class [[nodiscard]] Result<void> {
 #define LAMPYRIS_JOIN(a, b) LAMPYRIS_JOIN_(a, b)
 
 /// TRY(auto x, f()): x = the value of f(), or return f()'s error from this function.
-#define TRY(declaration, expression)                            \
-    auto LAMPYRIS_JOIN(tryResult, __LINE__) = (expression);     \
-    if (!LAMPYRIS_JOIN(tryResult, __LINE__).ok())               \
-        return LAMPYRIS_JOIN(tryResult, __LINE__).error();      \
-    declaration = std::move(LAMPYRIS_JOIN(tryResult, __LINE__)) \
-                      .value()  // NOLINT(bugprone-macro-parentheses)
+#define TRY(declaration, expression)                                                         \
+    auto LAMPYRIS_JOIN(tried, __LINE__) = (expression);                                      \
+    if (!LAMPYRIS_JOIN(tried, __LINE__).ok()) return LAMPYRIS_JOIN(tried, __LINE__).error(); \
+    declaration = std::move(LAMPYRIS_JOIN(tried, __LINE__)).value()  // NOLINT: a declaration
 
 /// TRY_VOID(f()): go on where f() succeeded, or return its error from this function.
 #define TRY_VOID(expression)                                   \

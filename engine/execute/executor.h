@@ -21,7 +21,8 @@ namespace lampyris::execute {
 
 struct RunOptions {
     /// A device timestamp at every node's end. Nodes then run one after the other, as a full
-    /// barrier stands before each stamp; tests of the graph's own barriers turn it off.
+    /// barrier stands before each stamp, except under validation: there the graph's own barriers
+    /// stand alone and times overlap.
     bool timed = true;
     /// Read after the timed range, and after the wall time was taken. What is read must be an
     /// output of the frame, imported, or a history image.

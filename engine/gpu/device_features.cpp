@@ -19,9 +19,11 @@ struct Feature {
     }
 
 const std::array kFeatures{
-    LAMPYRIS_FEATURE(v13, synchronization2, true),           // every barrier and submit
-    LAMPYRIS_FEATURE(v13, dynamicRendering, true),           // raster nodes have no VkRenderPass
-    LAMPYRIS_FEATURE(v13, maintenance4, true),               // memory requirements before creation
+    LAMPYRIS_FEATURE(v13, synchronization2, true),  // every barrier and submit
+    LAMPYRIS_FEATURE(v13, dynamicRendering, true),  // raster nodes have no VkRenderPass
+    LAMPYRIS_FEATURE(v13, maintenance4, true),      // memory requirements before creation
+    LAMPYRIS_FEATURE(v12, subgroupBroadcastDynamicId,
+                     true),  // tile binning goes through lanes in a loop
     LAMPYRIS_FEATURE(core.features, geometryShader, false),  // gl_PrimitiveID in fragment shaders
     LAMPYRIS_FEATURE(core.features, fragmentStoresAndAtomics,
                      false),  // statistics in fragment shaders

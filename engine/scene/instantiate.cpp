@@ -121,6 +121,8 @@ class Instantiation {
 }  // namespace
 
 void instantiate(ecs::World& world, assets::Model model, const std::string& scene) {
+    if (!model.animations.empty() || !model.skins.empty())
+        core::logWarning("{}: animations and skins are not played; it is drawn at rest", scene);
     Instantiation instantiation(world, std::move(model));
     instantiation.addScene();
     if (instantiation.directionalLights() > 0) {

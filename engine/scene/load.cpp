@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "assets/gltf.h"
+#include "core/log.h"
 #include "scene/builtin/builtin.h"
 #include "scene/fallback.h"
 #include "scene/instantiate.h"
@@ -23,6 +25,29 @@ bool looksLikeGltf(const std::string& path) {
     return ending == ".gltf" || ending == ".glb";
 }
 
+/// Neither so small nor so large that nothing can be seen of it [chosen: floats' squares hold].
+bool hasExtent(const glm::mat4& matrix) {
+    glm::dvec3 lengths(glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])),
+                       glm::length(glm::dvec3(matrix[2])));
+    const double largest = std::max({lengths.x, lengths.y, lengths.z});
+    const double product = lengths.x * lengths.y * lengths.z;
+    const int flat = (lengths.x == 0.0) + (lengths.y == 0.0) + (lengths.z == 0.0);
+    return std::isfinite(product) && flat < 2 && largest > 1e-18 && largest < 1e18;
+}
+
+/// Nothing may be missing from a picture without a word.
+void warnOfPlacements(const ecs::World& world, const std::string& path) {
+    size_t meshes = 0;
+    for (const auto& [entity, drawn, transform] : world.view<MeshInstance, WorldTransform>())
+        if (!hasExtent(transform.matrix)) ++meshes;
+    if (meshes > 0)
+        core::logWarning("{}: {} meshes have no extent, or one beyond numbers, and are not drawn",
+                         path, meshes);
+    for (const auto& [entity, camera, transform] : world.view<Camera, WorldTransform>())
+        if (!hasExtent(transform.matrix))
+            core::logWarning("{}: a camera's scale is 0, which leaves it no direction", path);
+}
+
 core::Result<ecs::World> readFile(const std::string& path) {
     TRY(assets::Model model, assets::loadGltf(path));
     ecs::World world;
@@ -30,6 +55,7 @@ core::Result<ecs::World> readFile(const std::string& path) {
     instantiate(world, std::move(model), path);
     updateWorldTransforms(world);
     if (world.count<MeshInstance>() == 0) return core::error("{}: no mesh to draw", path);
+    warnOfPlacements(world, path);
     return world;
 }
 

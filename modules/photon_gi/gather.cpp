@@ -10,6 +10,8 @@ namespace {
 
 // [eq] Thesis listing 5.18.
 constexpr float kNormalLimit = 0.99f;
+/// Vulkan's guaranteed maxComputeWorkGroupCount, an axis.
+constexpr uint32_t kMostGroups = 65535;
 
 shared::GatherParams gatherParams(const shared::View& view, const GatherSettings& settings,
                                   float powerScale) {
@@ -42,7 +44,9 @@ graph::Image addCoarse(graph::Frame& frame, const deferred::Surface& surface,
     // Whole tiles, so that neighbouring threads share one: see texelOfThread in gather.comp.
     const uint32_t perAxis = std::max(shared::TILE_PIXELS / settings.divisor, 1u);
     const graph::Extent tiles = size.dividedBy(perAxis);
-    node.dispatch((tiles.width * tiles.height * perAxis * perAxis + 63) / 64);
+    const uint32_t groups = (tiles.width * tiles.height * perAxis * perAxis + 63) / 64;
+    const uint32_t rows = (groups + kMostGroups - 1) / kMostGroups;
+    node.dispatch((groups + rows - 1) / rows, rows);
     return coarse;
 }
 

@@ -143,7 +143,7 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
     outcome.statistics = std::move(result.statistics);
     if (!result.images.empty()) outcome.image = execute::toImage(result.images.front());
     readReport(drawn, result.buffers, outcome.report);
-    outcome.report.paths = split_.paths;
+    outcome.report.paths = drawn.ledgers.empty() ? 0 : split_.paths;
     outcome.report.valid = !grow(outcome.report.counters);
     return outcome;
 }

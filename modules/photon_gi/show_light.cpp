@@ -26,12 +26,18 @@ void publish(graph::Frame& frame, const deferred::Surface& surface, const std::s
     node.dispatchOver({surface.view.width, surface.view.height});
 }
 
-void publishEdges(graph::Frame& frame, const deferred::Surface& surface, const EdgeList& edges) {
+/// All zeros.
+graph::Image blackImage(graph::Frame& frame, const deferred::Surface& surface,
+                        const std::string& name) {
     const uint64_t pixels = uint64_t{surface.view.width} * surface.view.height;
-    auto clear = frame.transfer("show/no_edges");
+    auto node = frame.transfer("show/no_" + name);
     const graph::Buffer zeros =
-        clear.fill(frame.buffer("zeros", {pixels * sizeof(shared::vec4)}), 0);
-    graph::Image shown = clear.copyToImage(zeros, 0, shownImage(frame, surface, "edges"));
+        node.fill(frame.buffer("zeros", {pixels * sizeof(shared::vec4)}), 0);
+    return node.copyToImage(zeros, 0, shownImage(frame, surface, name));
+}
+
+void publishEdges(graph::Frame& frame, const deferred::Surface& surface, const EdgeList& edges) {
+    auto shown = blackImage(frame, surface, "edges");
     auto node = frame.compute("show/edges", shaders::showEdges);
     node.read(shared::SLOT_GATHER_COUNTERS, edges.counters)
         .read(shared::SLOT_GATHER_LIST, edges.list);
@@ -48,12 +54,15 @@ void publishLight(graph::Frame& frame, const deferred::Surface& surface,
     publish(frame, surface, "direct", shared::SHOW_DIRECT, direct.irradiance, direct.specular);
     publish(frame, surface, "irradiance_direct", shared::SHOW_IRRADIANCE, direct.irradiance,
             direct.specular);
-    if (indirect.valid()) {
-        publish(frame, surface, "indirect", shared::SHOW_INDIRECT, indirect, direct.specular);
-        publish(frame, surface, "irradiance_indirect", shared::SHOW_IRRADIANCE, indirect,
-                direct.specular);
+    if (!indirect.valid()) {
+        for (const char* name : {"indirect", "irradiance_indirect", "edges"})
+            frame.publish(name, blackImage(frame, surface, name));
+        return;
     }
-    if (edges.list.valid()) publishEdges(frame, surface, edges);
+    publish(frame, surface, "indirect", shared::SHOW_INDIRECT, indirect, direct.specular);
+    publish(frame, surface, "irradiance_indirect", shared::SHOW_IRRADIANCE, indirect,
+            direct.specular);
+    publishEdges(frame, surface, edges);
 }
 
 }  // namespace lampyris::photon_gi

@@ -7,7 +7,7 @@
 
 namespace lampyris::photon_gi {
 
-/// \param indirect, edges invalid where the pipeline has none
+/// \param indirect, edges invalid where the pipeline has none: then those images are black
 void publishLight(graph::Frame& frame, const deferred::Surface& surface,
                   const deferred::DirectLight& direct, graph::Image indirect,
                   const EdgeList& edges);

@@ -16,9 +16,17 @@ namespace {
 constexpr uint32_t kShares = 16;
 constexpr uint32_t kLeastShare = 1u << 10;
 constexpr uint32_t kMostShare = 1u << 15;
+/// lavapipe ends a shader's loops, unasked and silently, after 65535 turns in all [measured]. A
+/// thread's two loops over a box of tiles stay below that.
+constexpr uint32_t kMostTurns = 65500;
 constexpr uint32_t kMostWords = 1u << 25;  ///< 128 MiB
 
-shared::BinParams binParams(const photons::PhotonList& photons, const TileSettings& settings) {
+uint32_t rowsABand(const shared::View& view) {
+    return std::clamp((kMostTurns / 2 - 1) / (view.tilesX + 2), 1u, view.tilesY);
+}
+
+shared::BinParams binParams(const photons::PhotonList& photons, const shared::View& view,
+                            const TileSettings& settings) {
     shared::BinParams params{};
     params.capacity = photons.capacity;
     params.pathCount = photons.pathCount;
@@ -26,6 +34,8 @@ shared::BinParams binParams(const photons::PhotonList& photons, const TileSettin
     params.radius = settings.radiusMetres;
     params.share =
         std::clamp(std::bit_ceil(settings.pairCapacity / kShares), kLeastShare, kMostShare);
+    params.bandRows = rowsABand(view);
+    params.bands = (view.tilesY + params.bandRows - 1) / params.bandRows;
     return params;
 }
 
@@ -50,16 +60,17 @@ void visitTiles(graph::ComputeNode& node, const Binning& b) {
         .read(shared::SLOT_BIN_PHOTON_TOTAL, b.photons.pathOffsets)
         .uniformData(shared::SLOT_VIEW, b.view)
         .push(b.params)
-        .dispatch((b.params.capacity + 63) / 64);
+        .dispatch((b.params.capacity + 63) / 64, b.params.bands);
 }
 
-/// Sums before each photon's pairs; [capacity] is the number of all.
+/// Sums before each photon's and band's pairs; the last is the number of all.
 graph::Buffer addPairOffsets(graph::Frame& frame, const Binning& b) {
     auto node = frame.compute("tile_bin/count", shaders::tileBinCount);
+    const uint32_t places = b.params.capacity * b.params.bands;
     const graph::Buffer counts =
-        node.write(shared::SLOT_BIN_COUNTS, words(frame, "pairs a photon", b.params.capacity));
+        node.write(shared::SLOT_BIN_COUNTS, words(frame, "pairs a photon", places));
     visitTiles(node, b);
-    return photons::addPrefixSum(frame, "tile_bin", counts, b.params.capacity);
+    return photons::addPrefixSum(frame, "tile_bin", counts, places);
 }
 
 struct Pairs {
@@ -137,7 +148,7 @@ uint32_t mostPairsBinned(graph::Extent size) {
 TileBins addTileBin(graph::Frame& frame, const photons::PhotonList& photons,
                     const deferred::TileBounds& bounds, const shared::View& view,
                     const TileSettings& settings) {
-    const Binning b{photons, bounds, view, binParams(photons, settings)};
+    const Binning b{photons, bounds, view, binParams(photons, view, settings)};
     TileBins bins{.counters = photons.counters};
     Pairs pairs = addPairs(frame, b);
     const graph::Buffer offsets = addTileOffsets(frame, b, pairs);

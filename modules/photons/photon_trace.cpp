@@ -33,8 +33,8 @@ std::vector<PathBatch> batchPaths(const PathSplit& split, uint32_t maxBounces,
         {kStorageRange / std::max<uint64_t>(pathBytes, 1), kMaxPhotonCapacity, largestBatch}));
     std::vector<PathBatch> batches;
     // Even shares, so that the last batch is no smaller than it must be.
-    const uint32_t count = (split.paths + most - 1) / std::max(most, 1u);
-    for (uint32_t i = 0; i < count; ++i) {
+    const uint64_t count = (uint64_t{split.paths} + most - 1) / std::max(most, 1u);
+    for (uint64_t i = 0; i < count; ++i) {
         const auto first = static_cast<uint32_t>(uint64_t{split.paths} * i / count);
         const auto end = static_cast<uint32_t>(uint64_t{split.paths} * (i + 1) / count);
         batches.push_back({first, end - first});

@@ -32,8 +32,9 @@ struct PathBatch {
 /// Batches that cover the split; no batch stages more than a storage buffer holds.
 [[nodiscard]] std::vector<PathBatch> batchPaths(const PathSplit& split, uint32_t maxBounces,
                                                 uint32_t largestBatch = 0xffffffffu);
-/// The most photons that a store may hold (a dispatch of one thread each, and 128 MiB).
-constexpr uint32_t kMaxPhotonCapacity = 65535u * 64u;
+/// The most photons that a store may hold: a dispatch of one thread each, 128 MiB, and no loop over
+/// a share of them near lavapipe's 65535 turns (shaders/photon_gi/tile_test.comp).
+constexpr uint32_t kMaxPhotonCapacity = 60000u * 64u;
 
 struct PhotonList {
     graph::Buffer photons{};      ///< shared::PackedPhoton

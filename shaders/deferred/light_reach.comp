@@ -25,9 +25,9 @@ float reachOf(GpuLight light, float mean) {
 // The sum over this thread's samples; with `mean` < 0 of the irradiance (a counts samples), else of what is cut off.
 vec4 gatherSamples(uint thread, float mean) {
     vec4 sum = vec4(0.0);
-    uint samples = params.cutoff > 0.0 ? REACH_GRID * REACH_GRID : 0u;
+    uint samples = params.cutoff > 0.0 ? params.reachGrid * params.reachGrid : 0u;
     for (uint s = thread; s < samples; s += REACH_THREADS) {
-        vec2 at = (vec2(s % REACH_GRID, s / REACH_GRID) + 0.5) / float(REACH_GRID);
+        vec2 at = (vec2(s % params.reachGrid, s / params.reachGrid) + 0.5) / float(params.reachGrid);
         ivec2 pixel = ivec2(at * vec2(view.width, view.height));
         float depth = depthAt(pixel);
         if (depth <= 0.0) continue;
@@ -35,7 +35,7 @@ vec4 gatherSamples(uint thread, float mean) {
         vec3 normal = normalAt(pixel);
         // Surface seen by one sample's share of the image, m².
         float side = pixelFootprint(viewDepth(depth));
-        float share = side * side * float(view.width * view.height) / float(REACH_GRID * REACH_GRID);
+        float share = side * side * float(view.width * view.height) / float(params.reachGrid * params.reachGrid);
         float area = share / max(dot(normal, normalize(cameraWorld() - position)), 0.05);
         for (uint i = 0u; i < params.lightCount; ++i) {
             vec3 toLight = lights[i].positionRadius.xyz - position;

@@ -1,5 +1,5 @@
 // One shadow ray a pixel to a random point of each light that reaches it: bit set = in shadow.
-// Points under the surface's horizon are not drawn: the irradiance already leaves that part out.
+// Points under the surface's horizon do not count: the irradiance already leaves that part out.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/bvh_walk.glsl"
@@ -14,27 +14,30 @@ layout(set = 0, binding = SLOT_LIGHTS, std430) readonly buffer Lights { GpuLight
 layout(set = 0, binding = SLOT_LIGHT_MASKS, std430) readonly buffer Masks { uint masks[]; };
 layout(set = 0, binding = SLOT_SHADOW_MASKS, r32ui) uniform writeonly uimage2DArray shadowMasks;
 
+// Uniform in the cone under which the sphere appears; where the horizon cuts it, what falls under is drawn anew, and
+// at last the sphere's highest point over the surface stands in.
+vec3 pointOnLight(vec3 toCentre, float radius, vec3 normal, inout uvec2 random) {
+    float sinSigma2 = radius * radius / dot(toCentre, toCentre);
+    float cosCone = sqrt(max(0.0, 1.0 - sinSigma2));
+    vec3 axis = normalize(toCentre);
+    int attempts = dot(toCentre, normal) >= radius ? 1 : 4;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        vec3 sampled = sampleCone(axis, cosCone, random2(random));
+        if (dot(sampled, normal) > 0.0) return sampled;
+    }
+    return normalize(toCentre + normal * radius);
+}
+
 bool occluded(GpuLight light, vec3 origin, vec3 normal, inout uvec2 random) {
     vec3 toCentre = light.positionRadius.xyz - origin;
     float d2 = dot(toCentre, toCentre);
     float radius = light.positionRadius.w;
-    vec3 axis = normalize(toCentre), direction = axis;
-    float reach = sqrt(d2);
-    if (d2 > radius * radius) {
-        float cosCone = sqrt(max(0.0, 1.0 - radius * radius / d2));
-        // Where the horizon cuts the sphere, what falls under it is drawn anew.
-        int attempts = dot(toCentre, normal) >= radius ? 1 : 4;
-        for (int attempt = 0; attempt < attempts; ++attempt) {
-            vec3 sampled = sampleCone(axis, cosCone, random2(random));
-            direction = sampled;
-            if (dot(sampled, normal) > 0.0) break;
-        }
-        // Up to the sphere's near side along this direction.
-        float b = dot(direction, toCentre);
-        reach = b - sqrt(max(0.0, b * b - d2 + radius * radius));
-    }
-    if (dot(direction, normal) <= 0.0) return true;
-    return traceAny(origin, direction, 0.0, reach);
+    if (d2 <= radius * radius) return false;                 // inside the light
+    if (dot(toCentre, normal) <= -radius) return true;       // all of it under the horizon
+    vec3 direction = pointOnLight(toCentre, radius, normal, random);
+    // Up to the sphere's near side along this direction.
+    float b = dot(direction, toCentre);
+    return traceAny(origin, direction, 0.0, b - sqrt(max(0.0, b * b - d2 + radius * radius)));
 }
 
 void main() {

@@ -13,9 +13,12 @@ ivec2 texelOf(ivec2 block, int corner) {
 // The block's pixels begin at its first texel's representative; those of border blocks may lie outside the image.
 ivec2 firstPixel(ivec2 block) { return (block - 1) * int(params.divisor) + int(params.divisor / 2u); }
 
+// Pixels from the first texels' representatives to the last ones': the divisor, but less at the image's far edges.
+vec2 blockSpan(ivec2 block) { return vec2(max(representative(block) - firstPixel(block), ivec2(1))); }
+
 // Weights of the four texels at a pixel of the block.
-vec4 texelWeights(ivec2 pixelInBlock) {
-    vec2 f = vec2(pixelInBlock) / float(params.divisor);
+vec4 texelWeights(ivec2 pixelInBlock, vec2 span) {
+    vec2 f = min(vec2(pixelInBlock) / span, vec2(1.0));
     return vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
 }
 

@@ -6,7 +6,7 @@
 layout(push_constant) uniform Push { BinParams params; };
 layout(set = 0, binding = SLOT_BIN_PAIR_TOTAL, std430) readonly buffer PairTotal { uint pairOffsets[]; };
 
-uint pairsWanted() { return pairOffsets[params.capacity]; }
+uint pairsWanted() { return pairOffsets[params.capacity * params.bands]; }
 uint pairCount() { return min(pairsWanted(), params.pairCapacity); }
 
 #endif

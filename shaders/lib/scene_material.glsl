@@ -67,14 +67,4 @@ vec3 hitAlbedo(Hit hit) {
     return baseColourAt(hit.instance, hit.primitive, hit.bary).rgb * (1.0 - metallic);
 }
 
-// Emitted radiance, W/(m² sr), of the front side (or of both where the material is double-sided).
-vec3 hitEmission(Hit hit) {
-    uint material = instances[hit.instance].material;
-    if ((materials[material].flags & MATERIAL_EMISSIVE) == 0u) return vec3(0.0);
-    vec3 radiance = materials[material].emissiveRadiance.rgb;
-    if (sceneTextures == 0u) return radiance;
-    return radiance * lookUpTexture(colourTextures, materials[material].emissiveTexture,
-                                    texcoordsAt(hit.instance, hit.primitive, hit.bary), vec4(1.0)).rgb;
-}
-
 #endif

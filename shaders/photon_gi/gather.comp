@@ -15,8 +15,8 @@ ivec2 texelOfThread() {
     uint perAxis = max(TILE_PIXELS / params.divisor, 1u);        // texels a tile and axis
     uint perTile = perAxis * perAxis;
     uint tilesX = (params.coarseWidth + perAxis - 1u) / perAxis;
-    uint tile = gl_GlobalInvocationID.x / perTile;
-    uint inTile = gl_GlobalInvocationID.x % perTile;
+    uint thread = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x;
+    uint tile = thread / perTile, inTile = thread % perTile;
     return ivec2(uvec2(tile % tilesX, tile / tilesX) * perAxis + uvec2(inTile % perAxis, inTile / perAxis));
 }
 

@@ -41,12 +41,13 @@ void main() {
         normals[i] = normalAt(at);
     }
     int divisor = int(params.divisor);
+    vec2 span = blockSpan(block);
     for (int y = 0; y < divisor; ++y)
         for (int x = y == 0 ? 1 : 0; x < divisor; ++x) {  // the first pixel is a representative itself
             ivec2 pixel = first + ivec2(x, y);
             if (!inImage(pixel)) continue;
             float depth = depthAt(pixel);
-            if (depth <= 0.0 || !standsApart(texelWeights(ivec2(x, y)), pixel, depth)) continue;
+            if (depth <= 0.0 || !standsApart(texelWeights(ivec2(x, y), span), pixel, depth)) continue;
             list[atomicAdd(counters.pixelsRecomputed, 1u)] = uint(pixel.x) | (uint(pixel.y) << 16);
         }
 }

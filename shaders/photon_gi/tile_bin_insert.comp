@@ -30,11 +30,10 @@ void main() {
             if (same && other < lane) ++before;
             if (same && other > lane) ++after;
         }
-        if (here) {
-            uint place = shares[row + pair.x] + before;
-            indices[offsets[pair.x] + place] = pair.y;
-            if (after == 0u) shares[row + pair.x] = place + 1u;
-        }
+        uint place = shares[row + pair.x] + before;
+        subgroupBarrier();  // all have read before the last of each tile writes
+        if (here) indices[offsets[pair.x] + place] = pair.y;
+        if (here && after == 0u) shares[row + pair.x] = place + 1u;
         subgroupBarrier();
     }
 }

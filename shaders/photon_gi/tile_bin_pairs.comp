@@ -1,5 +1,6 @@
 // full: the (tile, photon) pairs, photon by photon; run once to count them and once to write them (WRITE_PAIRS). A
-// photon visits only the tiles under its outline. Pairs are tallied by tile and share, a share being a run of pairs.
+// photon visits only the tiles under its outline, a thread for each band of rows. Pairs are tallied by tile and share,
+// a share being a run of pairs.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/bin_bounds.glsl"
@@ -44,8 +45,9 @@ uint visit(ivec2 first, ivec2 last, vec3 centre, uint photon, uint pair, const b
 void main() {
     uint photon = gl_GlobalInvocationID.x;
     if (photon >= params.capacity) return;
+    uint place = photon * params.bands + gl_WorkGroupID.y;
 #ifdef WRITE_PAIRS
-    uint pair = offsets[photon];
+    uint pair = offsets[place];
 #else
     uint pair = 0u;
 #endif
@@ -62,11 +64,14 @@ void main() {
             last -= ivec2(not(touches(centre, last)));
         }
     }
+    int band = int(gl_WorkGroupID.y * params.bandRows);
+    first.y = max(first.y, band);
+    last.y = min(last.y, band + int(params.bandRows) - 1);
     // Two loops, since lavapipe does not branch around what no lane wants: few photons have no box.
     ivec2 none = ivec2(-1);
     pair = visit(first, boxed ? last : none, centre, photon, pair, false);
     pair = visit(first, boxed ? none : last, centre, photon, pair, true);
 #ifndef WRITE_PAIRS
-    counts[photon] = pair;
+    counts[place] = pair;
 #endif
 }

@@ -15,11 +15,12 @@ void main() {
     vec3 texels[4];
     for (int i = 0; i < 4; ++i) texels[i] = min(texelFetch(coarse, texelOf(block, i), 0).rgb, vec3(65504.0));
     int divisor = int(params.divisor);
+    vec2 span = blockSpan(block);
     for (int y = 0; y < divisor; ++y)
         for (int x = 0; x < divisor; ++x) {
             ivec2 pixel = first + ivec2(x, y);
             if (!inImage(pixel)) continue;
-            vec4 weights = texelWeights(ivec2(x, y));
+            vec4 weights = texelWeights(ivec2(x, y), span);
             vec3 irradiance = vec3(0.0);
             for (int i = 0; i < 4; ++i) irradiance += weights[i] * texels[i];
             imageStore(irradianceIndirect, pixel, vec4(irradiance, 1.0));

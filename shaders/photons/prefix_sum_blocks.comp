@@ -1,6 +1,7 @@
 // Exclusive sums inside blocks of SCAN_BLOCK counts, and each block's total.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "lib/saturating.glsl"
 #include "shared/photon.h"
 
 layout(local_size_x = 64) in;  // SCAN_THREADS
@@ -16,7 +17,7 @@ void main() {
     uint thread = gl_LocalInvocationIndex;
     uint first = gl_WorkGroupID.x * SCAN_BLOCK + thread * kPerThread;
     uint sum = 0u;
-    for (uint i = first; i < min(first + kPerThread, count); ++i) sum += counts[i];
+    for (uint i = first; i < min(first + kPerThread, count); ++i) sum = saturatingAdd(sum, counts[i]);
     sums[thread] = sum;
     barrier();
     if (thread == 0u) {
@@ -24,7 +25,7 @@ void main() {
         for (uint t = 0u; t < SCAN_THREADS; ++t) {
             uint own = sums[t];
             sums[t] = running;
-            running += own;
+            running = saturatingAdd(running, own);
         }
         blocks[gl_WorkGroupID.x] = running;
     }
@@ -32,6 +33,6 @@ void main() {
     uint running = sums[thread];
     for (uint i = first; i < min(first + kPerThread, count); ++i) {
         offsets[i] = running;
-        running += counts[i];
+        running = saturatingAdd(running, counts[i]);
     }
 }

@@ -1,6 +1,7 @@
 // Turns the blocks' totals into the sums before each block, in place; the grand total goes behind them. One workgroup.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "lib/saturating.glsl"
 #include "shared/photon.h"
 
 layout(local_size_x = 64) in;  // SCAN_THREADS
@@ -14,7 +15,7 @@ void main() {
     uint share = (blockCount + SCAN_THREADS - 1u) / SCAN_THREADS;
     uint first = min(thread * share, blockCount), last = min(first + share, blockCount);
     uint sum = 0u;
-    for (uint i = first; i < last; ++i) sum += blocks[i];
+    for (uint i = first; i < last; ++i) sum = saturatingAdd(sum, blocks[i]);
     sums[thread] = sum;
     barrier();
     if (thread == 0u) {
@@ -22,7 +23,7 @@ void main() {
         for (uint t = 0u; t < SCAN_THREADS; ++t) {
             uint own = sums[t];
             sums[t] = running;
-            running += own;
+            running = saturatingAdd(running, own);
         }
         blocks[blockCount] = running;
     }
@@ -31,6 +32,6 @@ void main() {
     for (uint i = first; i < last; ++i) {
         uint own = blocks[i];
         blocks[i] = running;
-        running += own;
+        running = saturatingAdd(running, own);
     }
 }

@@ -14,13 +14,14 @@ LAMPYRIS_SLOT(SLOT_SPECULAR_DIRECT, 6u);
 LAMPYRIS_SLOT(SLOT_SHOWN, 7u);
 
 LAMPYRIS_SLOT(REACH_THREADS, 256u);
-LAMPYRIS_SLOT(REACH_GRID, 64u);            // samples an axis of the frame [chosen: 4096 samples, 1 % of the mean]
 
 struct DirectParams {
     uint lightCount;
     uint maskWords;        // 32-bit words a tile and purpose
     float cutoff;          // of the frame's mean direct irradiance; 0 = lights reach everywhere
     uint seed;
+    uint reachGrid;        // samples of the frame, an axis, that the mean irradiance is taken from
+    uint pad0, pad1, pad2;
 };
 
 LAMPYRIS_SLOT(SHOW_ALBEDO, 0u);

@@ -8,13 +8,13 @@ LAMPYRIS_SHARED_BEGIN
 LAMPYRIS_SLOT(SLOT_BIN_PHOTONS, 0u);        // texels RGBA32Uint, two a photon
 LAMPYRIS_SLOT(SLOT_BIN_BOUNDS, 1u);         // texels RG32Float, one a tile
 LAMPYRIS_SLOT(SLOT_BIN_COUNTERS, 2u);       // FrameCounters
-LAMPYRIS_SLOT(SLOT_BIN_COUNTS, 3u);         // pairs a photon, or a tile
+LAMPYRIS_SLOT(SLOT_BIN_COUNTS, 3u);         // pairs a photon and band, or a tile
 LAMPYRIS_SLOT(SLOT_BIN_OFFSETS, 4u);        // sums before each of those
 LAMPYRIS_SLOT(SLOT_BIN_PAIRS, 5u);          // uvec2: tile, photon; photon by photon
 LAMPYRIS_SLOT(SLOT_BIN_INDICES, 6u);        // photons, tile by tile
 LAMPYRIS_SLOT(SLOT_BIN_SHARES, 7u);         // [share][tile]: pairs, then the sum over the shares before
 LAMPYRIS_SLOT(SLOT_BIN_RANGES, 9u);         // uvec2 a tile: first place in the list, pairs
-LAMPYRIS_SLOT(SLOT_BIN_PAIR_TOTAL, 13u);    // sums before each photon; the last is the pairs' number
+LAMPYRIS_SLOT(SLOT_BIN_PAIR_TOTAL, 13u);    // sums before each photon and band; the last is the pairs' number
 LAMPYRIS_SLOT(SLOT_BIN_PHOTON_TOTAL, 14u);  // path offsets; the last is the photons' number
 
 LAMPYRIS_SLOT(SLOT_GATHER_INDICES, 2u);     // texels R32Uint
@@ -40,7 +40,9 @@ struct BinParams {
     uint pairCapacity;
     float radius;        // metres
     uint share;          // pairs a share
-    uint pad0, pad1, pad2;
+    uint bandRows;       // rows of tiles that one thread visits
+    uint bands;
+    uint pad0;
 };
 
 struct GatherParams {

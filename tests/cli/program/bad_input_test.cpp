@@ -134,6 +134,10 @@ TEST_F(BadInput, WhatIsLeftIsDrawn) {
     expectDrawn(write("thin.gltf", floorScene({-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, -1})),
                 "triangle");
     expectDrawn(write("plain.gltf", floorScene()), "camera");
+    GltfBuilder flattened = floorScene();
+    const int gone = flattened.push("nodes", {{"mesh", 0}, {"scale", {0, 0, 0}}});
+    flattened.json["scenes"][0]["nodes"].push_back(gone);
+    expectDrawn(write("flattened.gltf", flattened), "1 meshes have no extent");
     expectDrawn(write("dark.gltf", floorScene()), "light");
     GltfBuilder sun = floorScene();
     sun.json["extensionsUsed"] = {"KHR_lights_punctual"};

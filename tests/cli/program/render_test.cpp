@@ -121,6 +121,17 @@ TEST(Render, WritesAnyImageOfTheGraph) {
     EXPECT_GT(meanOf(image("edges")), 0.0);
 }
 
+TEST(Render, WritesBlackForLightThatThePipelineLacks) {
+    const ScratchFolder folder;
+    for (const Arguments& without : {Arguments{"--pipeline", "direct"}, {"--max-bounces", "0"}})
+        for (const std::string name : {"indirect", "irradiance_indirect", "edges"}) {
+            Arguments arguments{"--output-node", name};
+            arguments.insert(arguments.end(), without.begin(), without.end());
+            ASSERT_EQ(render("cornell", folder / "a.exr", arguments).code, 0) << name;
+            EXPECT_EQ(meanOf(exr(folder / "a.exr")), 0.0) << name;
+        }
+}
+
 TEST(Render, RepeatsAFrameThatOverflowed) {
     const ScratchFolder folder;
     // Every photon reaches every tile: far more entries than the first guess.

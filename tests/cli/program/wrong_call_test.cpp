@@ -13,6 +13,8 @@ TEST(WrongCall, NamesWhatIsWrong) {
     expectWrongCall(lampyris({"bench"}), "name");
     expectWrongCall(lampyris({"bench", "nothing"}), "nothing");
     expectWrongCall(lampyris({"info", "--size", "1x1"}), "--size");
+    expectWrongCall(lampyris({"bench", "binning", "--photons", "50"}), "--photons");
+    expectWrongCall(lampyris({"bench", "nodes", "--pipeline", "direct"}), "--pipeline");
 }
 
 TEST(WrongCall, LeavesNoFile) {
@@ -55,6 +57,7 @@ TEST(WrongCall, LeavesNoFile) {
         {{"--graph", folder / "g.svg"}, ".dot or .json"},
         {{"--report", folder / "r.txt"}, ".json"},
         {{"--trace", folder / "t.txt"}, ".json"},
+        {{"--report", folder / "a.json", "--trace", folder / "a.json"}, "twice"},
         {{"--colour"}, "--colour"},
         {{"--pipeline", "thesis", "--max-bounces", "2"}, "one bounce"},
     };

@@ -99,7 +99,8 @@ double reachInto(const Lists& lists, const Trial& trial, const shared::View& vie
         return -(py / view.height * 2.0 - 1.0) / static_cast<double>(view.projection.y);
     };
     const auto tx = static_cast<double>(tile % view.tilesX) * 8.0;
-    const auto ty = static_cast<double>(tile / view.tilesX) * 8.0;
+    const size_t row = tile / view.tilesX;
+    const auto ty = static_cast<double>(row) * 8.0;
     const auto plane = [](double slope, double axis, double depth) {
         return (slope * depth - axis) / std::sqrt(1.0 + slope * slope);
     };
@@ -156,6 +157,26 @@ TEST_F(TileBin, FullAndThesisMakeTheSameLists) {
                     << size.width << " tile " << tile;
             EXPECT_EQ(full.counters.mostInTile, thesis.counters.mostInTile);
         }
+}
+
+// More tiles than a shader's loops have turns on lavapipe, under spheres without an outline.
+TEST_F(TileBin, ManyTilesAPhotonMakeTheSameListsToo) {
+    Trial trial;
+    trial.size = {3840, 2160};
+    trial.eye = {0.1f, 5.0f, 0.3f};
+    trial.paths = 20;
+    trial.radius = 4.0f;
+    trial.pairCapacity = 1u << 23;
+    const Lists full = bin(trial);
+    trial.thesis = true;
+    const Lists thesis = bin(trial);
+    ASSERT_EQ(thesis.counters.pairsDropped, 0u);
+    ASSERT_GT(thesis.counters.pairs, 500000u);
+    EXPECT_EQ(full.counters.pairs, thesis.counters.pairs);
+    EXPECT_EQ(full.ranges, thesis.ranges);
+    const auto pairs = static_cast<std::ptrdiff_t>(thesis.counters.pairs);
+    EXPECT_TRUE(
+        std::equal(full.indices.begin(), full.indices.begin() + pairs, thesis.indices.begin()));
 }
 
 TEST_F(TileBin, ManyPhotonsATileMakeTheSameListsToo) {

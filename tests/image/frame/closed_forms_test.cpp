@@ -41,6 +41,49 @@ TEST_F(ClosedForms, PlaneUnderASphereLightHasIrradianceByTheCosineAndTheSquare) 
     }
 }
 
+// Where the horizon cuts the light, the irradiance counts what stands above it; a shadow ray must
+// not take that away once more. Nothing blocks here, so both pipelines must agree.
+TEST_F(ClosedForms, ALightThatTheHorizonCutsIsNotInShadow) {
+    for (const float height : {0.5f, 0.0f, -0.5f, -0.8f}) {
+        scene::SceneSnapshot snapshot;
+        addInstance(snapshot, test::quad({-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}),
+                    lambertian(glm::vec3(0.5f)));
+        addLight(snapshot, {0.0f, height, 0.0f}, 1.0f, 100.0f);
+        auto wanted = request(
+            64, 64, lookFrom({0.0f, 6.0f, 0.001f}, glm::vec3(0.0f), 60.0f, {0.0f, 0.0f, -1.0f}));
+        wanted.settings.pipeline = photon_gi::Pipeline::Thesis;
+        const auto open = render(snapshot, wanted, "irradiance_direct");
+        wanted.settings.pipeline = photon_gi::Pipeline::Direct;
+        const auto shadowed = render(snapshot, wanted, "irradiance_direct");
+        int compared = 0;
+        for (uint32_t py = 0; py < 64; ++py)
+            for (uint32_t px = 0; px < 64; ++px) {
+                const float expected = open.image.at(px, py, 0);
+                ASSERT_NEAR(shadowed.image.at(px, py, 0), expected, 1e-3f * expected)
+                    << height << " at " << px << "," << py;
+                if (expected > 0.0f) ++compared;
+            }
+        EXPECT_GT(compared, 3000);
+    }
+}
+
+TEST_F(ClosedForms, GathersAtFullResolutionBeyondOneRowOfWorkgroups) {
+    const scene::SceneSnapshot snapshot = test::builtinSnapshot("cornell");
+    auto wanted = request(2904, 1448, snapshot.cameras.front());
+    wanted.settings.photonPaths = 100;
+    wanted.settings.maxBounces = 1;
+    wanted.settings.gatherDivisor = 1;
+    const auto whole = render(snapshot, wanted, "irradiance_indirect");
+    wanted.settings.gatherDivisor = 4;
+    const auto coarse = render(snapshot, wanted, "irradiance_indirect");
+    double sum = 0.0, difference = 0.0;
+    for (size_t i = 0; i < whole.image.values.size(); ++i) {
+        sum += static_cast<double>(whole.image.values[i]);
+        difference += static_cast<double>(std::abs(whole.image.values[i] - coarse.image.values[i]));
+    }
+    EXPECT_LT(difference, 0.01 * sum);
+}
+
 // A light in the middle of a closed sphere of albedo ρ: E_direct = Φ/(4πR²), and every bounce gives
 // ρ times the irradiance of the one before, since light spreads evenly over an integrating sphere.
 class IntegratingSphere : public test::FrameTest, public ::testing::WithParamInterface<float> {
