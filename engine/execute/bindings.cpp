@@ -89,7 +89,7 @@ void describeImage(const Recording& recording, const graph::Use& use, Descriptor
 core::Result<void> describe(Recording& recording, const graph::Node& node,
                             const graph::ShaderSlot& slot, Descriptor& descriptor) {
     if (const graph::UniformData* data = findUniform(node, slot.slot)) {
-        TRY(const auto place, recording.slot.uniforms.add(data->bytes));
+        TRY(const auto place, recording.slot.uniforms.add(data->bytes, data->storage));
         descriptor.buffer = {place.buffer, place.offset, place.bytes};
         return {};
     }

@@ -11,14 +11,15 @@ constexpr uint64_t kBlockBytes = uint64_t{256} << 10;
 
 }  // namespace
 
-core::Result<UniformRing::Place> UniformRing::add(std::span<const uint8_t> bytes) {
+core::Result<UniformRing::Place> UniformRing::add(std::span<const uint8_t> bytes, bool storage) {
     const VkPhysicalDeviceLimits& limits = device_->limits().core;
-    if (bytes.size() > limits.maxUniformBufferRange)
-        return core::error(
-            "{} bytes of uniforms are more than the device's maxUniformBufferRange, {}",
-            bytes.size(), limits.maxUniformBufferRange);
+    const uint32_t most = storage ? limits.maxStorageBufferRange : limits.maxUniformBufferRange;
+    if (bytes.size() > most)
+        return core::error("{} bytes are more than the device's {}, {}", bytes.size(),
+                           storage ? "maxStorageBufferRange" : "maxUniformBufferRange", most);
     const uint64_t alignment =
-        std::max<uint64_t>(limits.minUniformBufferOffsetAlignment, sizeof(float) * 4);
+        std::max<uint64_t>({limits.minUniformBufferOffsetAlignment,
+                            limits.minStorageBufferOffsetAlignment, sizeof(float) * 4});
     uint64_t offset = (used_ + alignment - 1) / alignment * alignment;
     while (block_ < blocks_.size() && offset + bytes.size() > blocks_[block_].bytes()) {
         ++block_;

@@ -19,8 +19,9 @@ class UniformRing {
         uint64_t bytes = 0;
     };
     explicit UniformRing(gpu::Device& device) : device_(&device) {}
-    /// Copies the bytes in. An Error names maxUniformBufferRange where they are more.
-    core::Result<Place> add(std::span<const uint8_t> bytes);
+    /// Copies the bytes in, to be bound as a uniform or as a storage buffer. An Error names the
+    /// device's range of such a buffer where they are more.
+    core::Result<Place> add(std::span<const uint8_t> bytes, bool storage = false);
     void reset();
 
  private:
