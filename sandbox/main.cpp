@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
     sandbox::Command called;
     sandbox::addRender(app, called);
     sandbox::addView(app, called);
+    sandbox::addCompare(app, called);
     sandbox::addBench(app, called);
     sandbox::addInfo(app, called);
     try {

@@ -45,11 +45,15 @@ struct Options {
 /// Options of every call that draws frames. They write to `options`, which must outlive `app`'s
 /// parsing.
 void addFrameOptions(CLI::App& app, Options& options);
+/// --exposure, --tonemap.
+void addDisplayOptions(CLI::App& app, core::DisplayTransform& display);
 /// --camera, --exposure, --tonemap, --time, --timestep, --report, --graph, --trace.
 void addPictureOptions(CLI::App& app, Options& options);
 
 /// What the options ask for together and cannot have: a wrong call.
 core::Result<void> checkCall(const Options& options);
+/// Whether a file of that path can be written; an empty path asks for none.
+core::Result<void> checkTarget(const std::filesystem::path& path);
 /// Whether the files that the options name can be written, before anything is drawn.
 core::Result<void> checkOutputs(const Options& options);
 
