@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
     sandbox::addRender(app, called);
     sandbox::addReference(app, called);
     sandbox::addView(app, called);
+    sandbox::addCompare(app, called);
     sandbox::addBench(app, called);
     sandbox::addInfo(app, called);
     try {

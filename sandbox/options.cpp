@@ -74,19 +74,6 @@ graph::Extent parseSize(const std::string& text) {
         "--size", fmt::format("'{}' is not WxH with both from 1 to {}", text, kMaxSide));
 }
 
-core::Result<void> checkTarget(const std::filesystem::path& path) {
-    if (path.empty()) return {};
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    std::error_code code;
-    if (!std::filesystem::is_directory(folder, code))
-        return core::error("{}: there is no folder {}", path.string(), folder.string());
-    if (std::filesystem::is_directory(path, code))
-        return core::error("{}: is a folder, not a file", path.string());
-    if (::access(folder.c_str(), W_OK) != 0)
-        return core::error("{}: the folder {} cannot be written", path.string(), folder.string());
-    return {};
-}
-
 bool endsIn(const std::filesystem::path& path, std::initializer_list<const char*> endings) {
     for (const char* ending : endings)
         if (path.extension() == ending) return true;
@@ -146,12 +133,16 @@ void addFrameOptions(CLI::App& app, Options& o) {
         ->type_name("SUBSTRING");
 }
 
+void addDisplayOptions(CLI::App& app, core::DisplayTransform& display) {
+    app.add_option("--exposure", display.exposureEv, "EV; display only (0)")
+        ->check(finite(-100.0, 100.0));
+    addChoice(app, "--tonemap", display.tonemap, kTonemaps, "display only (clip)");
+}
+
 void addViewOptions(CLI::App& app, Options& o) {
     app.add_option("--camera", o.camera, "by name (the first)")->type_name("NAME");
     app.add_option("--time", o.time, "seconds, of the first frame (0)")->check(finite(-1e6, 1e6));
-    app.add_option("--exposure", o.display.exposureEv, "EV; display only (0)")
-        ->check(finite(-100.0, 100.0));
-    addChoice(app, "--tonemap", o.display.tonemap, kTonemaps, "display only (clip)");
+    addDisplayOptions(app, o.display);
     app.add_option("--report", o.report, "write measurements")->type_name("FILE.json");
 }
 
@@ -184,6 +175,19 @@ core::Result<void> checkCall(const Options& o) {
         return core::error("--report {}: the file must end in .json", o.report.string());
     if (!endsIn(o.trace, {".json"}))
         return core::error("--trace {}: the file must end in .json", o.trace.string());
+    return {};
+}
+
+core::Result<void> checkTarget(const std::filesystem::path& path) {
+    if (path.empty()) return {};
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    std::error_code code;
+    if (!std::filesystem::is_directory(folder, code))
+        return core::error("{}: there is no folder {}", path.string(), folder.string());
+    if (std::filesystem::is_directory(path, code))
+        return core::error("{}: is a folder, not a file", path.string());
+    if (::access(folder.c_str(), W_OK) != 0)
+        return core::error("{}: the folder {} cannot be written", path.string(), folder.string());
     return {};
 }
 

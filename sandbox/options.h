@@ -47,6 +47,8 @@ struct Options {
 void addSizeOptions(CLI::App& app, Options& options);
 /// Options of every call that draws frames, those of addSizeOptions included.
 void addFrameOptions(CLI::App& app, Options& options);
+/// --exposure, --tonemap.
+void addDisplayOptions(CLI::App& app, core::DisplayTransform& display);
 /// --camera, --time, --exposure, --tonemap, --report.
 void addViewOptions(CLI::App& app, Options& options);
 /// Those of addViewOptions, --timestep, --graph, --trace.
@@ -56,6 +58,8 @@ void addPictureOptions(CLI::App& app, Options& options);
 
 /// What the options ask for together and cannot have: a wrong call.
 core::Result<void> checkCall(const Options& options);
+/// Whether a file of that path can be written; an empty path asks for none.
+core::Result<void> checkTarget(const std::filesystem::path& path);
 /// Whether the files that the options name can be written, before anything is drawn.
 core::Result<void> checkOutputs(const Options& options);
 

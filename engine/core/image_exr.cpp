@@ -64,20 +64,4 @@ Result<void> writeExr(const std::filesystem::path& path, const Image& image) {
     return writeFile(path, std::span<const uint8_t>{memory, bytes});
 }
 
-Result<Image> readExr(const std::filesystem::path& path) {
-    TRY(const auto bytes, readFile(path));
-    float* rgba = nullptr;
-    int width = 0;
-    int height = 0;
-    const char* message = nullptr;
-    if (LoadEXRFromMemory(&rgba, &width, &height, bytes.data(), bytes.size(), &message) !=
-        TINYEXR_SUCCESS)
-        return exrError(path, message);
-    const std::unique_ptr<float, decltype(&std::free)> owned{rgba, &std::free};
-    Image image(static_cast<uint32_t>(width), static_cast<uint32_t>(height), 3);
-    for (size_t p = 0; p < size_t{image.width} * image.height; ++p)
-        for (size_t c = 0; c < 3; ++c) image.values[p * 3 + c] = rgba[p * 4 + c];
-    return image;
-}
-
 }  // namespace lampyris::core

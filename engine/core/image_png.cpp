@@ -1,12 +1,19 @@
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
+#include <limits>
 #include <memory>
 
 #include "core/file.h"
 #include "core/image_io.h"
+#include "core/png_check.h"
 
 namespace lampyris::core {
+namespace {
+
+constexpr size_t kMaxBytes = std::numeric_limits<int>::max();  // stb_image counts in int
+
+}  // namespace
 
 Result<void> writePng(const std::filesystem::path& path, const DisplayImage& image) {
     std::vector<uint8_t> bytes;
@@ -24,6 +31,9 @@ Result<void> writePng(const std::filesystem::path& path, const DisplayImage& ima
 
 Result<DisplayImage> readPng(const std::filesystem::path& path) {
     TRY(const auto bytes, readFile(path));
+    const auto checked = checkPng(bytes);
+    if (!checked.ok()) return error("{}: PNG: {}", path.string(), checked.error().message);
+    if (bytes.size() > kMaxBytes) return error("{}: PNG: is over 2 GiB", path.string());
     int width = 0;
     int height = 0;
     int channels = 0;

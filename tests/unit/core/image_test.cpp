@@ -107,6 +107,27 @@ TEST(ImagePng, NamesAFileThatIsNone) {
     EXPECT_NE(read.error().message.find("text.png: PNG: "), std::string::npos);
 }
 
+TEST(ImagePng, NamesAFileThatIsCutOrDamagedAnywhere) {
+    const ScratchFolder folder;
+    DisplayImage image{7, 5, std::vector<uint8_t>(7 * 5 * 3)};
+    for (size_t i = 0; i < image.values.size(); ++i) image.values[i] = static_cast<uint8_t>(i * 37);
+    ASSERT_TRUE(writePng(folder / "whole.png", image).ok());
+    const auto whole = readFile(folder / "whole.png").value();
+    const auto expectRefused = [&](const std::vector<uint8_t>& bytes) {
+        ASSERT_TRUE(writeFile(folder / "bad.png", bytes).ok());
+        const auto read = readPng(folder / "bad.png");
+        ASSERT_FALSE(read.ok());
+        EXPECT_NE(read.error().message.find("bad.png: PNG: "), std::string::npos);
+    };
+    for (size_t i = 0; i < whole.size(); ++i) {
+        SCOPED_TRACE(i);
+        expectRefused({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(i)});
+        auto damaged = whole;
+        damaged[i] ^= 0x10;
+        expectRefused(damaged);
+    }
+}
+
 TEST(ImageFiles, AreWrittenAsTheirEndingSays) {
     const ScratchFolder folder;
     const Image image = gradient(6, 6, 3);
