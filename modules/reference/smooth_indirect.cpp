@@ -1,11 +1,10 @@
 #include "reference/smooth_indirect.h"
 
-#include <tbb/parallel_for.h>
-
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "reference/parallel.h"
 #include "reference/plane_fit.h"
 #include "reference/warps.h"
 
@@ -58,8 +57,9 @@ struct Interval {
 
 class Smoothing {
  public:
-    Smoothing(const core::Image& image, const std::vector<SmoothGuide>& guides)
-        : image_(image), guides_(guides), rings_(makeRings()), pooled_(guides.size(), 0.0) {}
+    Smoothing(const core::Image& image, const std::vector<SmoothGuide>& guides,
+              uint32_t threads)
+        : image_(image), guides_(guides), threads_(threads), rings_(makeRings()), pooled_(guides.size(), 0.0) {}
 
     core::Image run() {
         core::Image out(image_.width, image_.height, 3);
@@ -75,7 +75,8 @@ class Smoothing {
  private:
     template <typename Visit>
     void forEachSurface(const Visit& visit) const {
-        tbb::parallel_for(0, static_cast<int>(image_.height), [&](int y) {
+        shareOut(image_.height, threads_, [&](uint32_t row) {
+            const int y = static_cast<int>(row);
             for (int x = 0; x < static_cast<int>(image_.width); ++x)
                 if (guides_[index(x, y)].surface) visit(x, y);
         });
@@ -138,14 +139,16 @@ class Smoothing {
 
     const core::Image& image_;
     const std::vector<SmoothGuide>& guides_;
+    uint32_t threads_;
     std::array<Ring, kRadii.size()> rings_;
     std::vector<double> pooled_;
 };
 
 }  // namespace
 
-core::Image smoothIndirect(const core::Image& irradiance, const std::vector<SmoothGuide>& guides) {
-    return Smoothing(irradiance, guides).run();
+core::Image smoothIndirect(const core::Image& irradiance, const std::vector<SmoothGuide>& guides,
+                           uint32_t threads) {
+    return Smoothing(irradiance, guides, threads).run();
 }
 
 }  // namespace lampyris::reference

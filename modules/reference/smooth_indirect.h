@@ -26,6 +26,7 @@ struct SmoothGuide {
 /// Nemirovski 1997): where light varies, hardly anything is averaged. The images are of three
 /// channels; the answer's pixels without surface are 0.
 [[nodiscard]] core::Image smoothIndirect(const core::Image& irradiance,
-                                         const std::vector<SmoothGuide>& guides);
+                                         const std::vector<SmoothGuide>& guides,
+                                         uint32_t threads);
 
 }  // namespace lampyris::reference
