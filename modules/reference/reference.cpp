@@ -35,7 +35,7 @@ class Meter {
  public:
     Meter(const ProgressFunction& tell, uint64_t total) : tell_(tell), total_(total) {}
     void add(uint64_t samples) {
-        if (!tell_) return;
+        if (!tell_ || total_ == 0) return;
         const std::lock_guard lock(mutex_);
         done_ += samples;
         tell_(std::min(done_, total_), total_);

@@ -188,6 +188,17 @@ TEST(Render, CountsItsRaysAndTellsHowFarItIs) {
     EXPECT_GT(result.value().seconds, 0.0);
 }
 
+TEST(Render, WithoutSamplesHasWhatNeedsNone) {
+    Settings settings = settingsFor(16, 9, 0);
+    settings.smoothIndirect = true;
+    const auto result = render(cornell(), cornell().cameras.front(), settings,
+                               [](uint64_t, uint64_t) { FAIL() << "nothing is to be done"; });
+    ASSERT_TRUE(result.ok());
+    EXPECT_GT(meanOf(result.value().albedo).x, 0.1);
+    EXPECT_EQ(meanOf(result.value().direct), glm::dvec3(0.0));
+    EXPECT_EQ(result.value().relativeError, 0.0);
+}
+
 TEST(Render, WithoutLightIsBlackAndHasNoError) {
     scene::SceneSnapshot snapshot;
     addInstance(snapshot, floorMesh(), lambertian(glm::vec3(0.5f)));
