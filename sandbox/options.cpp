@@ -17,6 +17,7 @@ constexpr uint32_t kMaxSide = 65535;   // what two 16-bit halves of a pixel's ad
 constexpr uint32_t kMaxBounces = 255;  // [chosen] far past what roulette lets live
 constexpr uint32_t kMaxGatherDivisor = 16;
 constexpr uint32_t kMaxGatherRays = 64;
+constexpr uint32_t kMaxShadowRays = 31;
 constexpr uint32_t kMaxFilterLevels = 5;
 
 const std::map<std::string, Pipeline> kPipelines{
@@ -35,6 +36,7 @@ struct Preset {
     uint32_t gatherDivisor;
     uint32_t gatherRays;
     uint32_t filterLevels;
+    uint32_t shadowDivisor = 4, shadowRays = 4;
 };
 constexpr Preset kTiles{1000, 1.0f, 2, 0, 0};  // the Thesis's
 constexpr Preset kFast{5000, 1.0f, 8, 4, 1};
@@ -127,6 +129,10 @@ void addFrameOptions(CLI::App& app, Options& o) {
         ->check(CLI::Range(0u, kMaxFilterLevels));
     app.add_option("--gather-divisor", o.gatherDivisor, "low resolution, an axis (8; fine 4; with tiles 2)")
         ->check(CLI::Range(1u, kMaxGatherDivisor));
+    app.add_option("--shadow-divisor", o.shadowDivisor, "low resolution of shadows, an axis (4)")
+        ->check(CLI::Range(1u, kMaxGatherDivisor));
+    app.add_option("--shadow-rays", o.shadowRays, "a light and low-resolution texel (4)")
+        ->check(CLI::Range(1u, kMaxShadowRays));
     app.add_option("--history", o.history, "frames kept: 0, as there is no history yet (0)");
     addChoice(app, "--reseed", o.reseed, kSwitch, "draw a frame's paths anew every frame (on)");
     app.add_option("--retrace", o.retrace, "whether paths that cannot have changed are kept (auto)")
@@ -215,6 +221,8 @@ photon_gi::Settings settingsOf(const Options& o) {
     s.gatherDivisor = o.gatherDivisor.value_or(preset.gatherDivisor);
     s.gather = gather;
     s.gatherRays = o.gatherRays.value_or(preset.gatherRays);
+    s.shadowDivisor = o.shadowDivisor.value_or(preset.shadowDivisor);
+    s.shadowRays = o.shadowRays.value_or(preset.shadowRays);
     s.filterLevels = o.filterLevels.value_or(preset.filterLevels);
     s.maxBounces = o.maxBounces.value_or(thesis ? 1 : 8);
     s.lightCutoff = o.lightCutoff;

@@ -27,7 +27,7 @@ struct Options {
     std::optional<uint32_t> photons, maxBounces, gatherDivisor;
     std::optional<float> radius;  ///< metres
     std::optional<photon_gi::Gather> gather;
-    std::optional<uint32_t> gatherRays, filterLevels;
+    std::optional<uint32_t> gatherRays, filterLevels, shadowDivisor, shadowRays;
     uint32_t history = 0;
     bool reseed = true;
     std::string retrace = "auto";

@@ -25,6 +25,8 @@ Json settingsJson(const Options& o) {
             {"gather", name(s.gather)},
             {"gather_divisor", s.gatherDivisor},
             {"gather_rays", s.gatherRays},
+            {"shadow_divisor", s.shadowDivisor},
+            {"shadow_rays", s.shadowRays},
             {"filter_levels", s.filterLevels},
             {"history", o.history},
             {"reseed", s.reseed},

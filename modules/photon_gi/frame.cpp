@@ -2,7 +2,6 @@
 // name.
 #include "photon_gi/frame.h"
 
-#include "deferred/shadow.h"
 #include "deferred/show_surface.h"
 #include "deferred/sphere_direct.h"
 #include "photon_gi/composite.h"
@@ -74,6 +73,16 @@ Indirect addGridGather(graph::Frame& f, const FrameInputs& in, const Settings& s
     return {joined.irradiance, joined.edges};
 }
 
+deferred::DirectLight addDirect(graph::Frame& f, const FrameInputs& in, const Settings& s,
+                                const deferred::Surface& surface,
+                                const deferred::LightLists& lights) {
+    if (!s.shadows || s.pipeline == Pipeline::Thesis)
+        return deferred::addUnshadowedDirect(f, surface, lights, in.scene);
+    const deferred::ShadowSettings shadow{s.shadowDivisor, s.shadowRays, in.seed};
+    const auto shadows = deferred::addShadow(f, surface, lights, in.scene, in.accel, shadow);
+    return deferred::addSphereDirect(f, surface, lights, shadows, in.scene, in.accel);
+}
+
 }  // namespace
 
 DrawnFrame drawFrame(graph::Frame& f, const FrameInputs& in, const Settings& s,
@@ -83,10 +92,7 @@ DrawnFrame drawFrame(graph::Frame& f, const FrameInputs& in, const Settings& s,
     const auto bounds = deferred::addTileBounds(f, surface);
     const auto lights =
         deferred::addLightLists(f, surface, bounds, in.scene, s.lightCutoff, in.seed);
-    graph::Image shadows;
-    if (s.shadows && s.pipeline != Pipeline::Thesis)
-        shadows = deferred::addShadow(f, surface, lights, in.scene, in.accel);
-    const auto direct = deferred::addSphereDirect(f, surface, lights, shadows, in.scene);
+    const auto direct = addDirect(f, in, s, surface, lights);
 
     Indirect indirect;
     if (s.pipeline != Pipeline::Direct && s.maxBounces > 0 && in.paths.paths > 0)

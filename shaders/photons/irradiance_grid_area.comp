@@ -2,6 +2,7 @@
 // the column crosses and that belongs to the cell counts with its cross-section over the cosine.                  [I3]
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "lib/indirect_groups.glsl"
 #include "lib/irradiance_grid.glsl"
 #include "shared/photon.h"
 
@@ -34,7 +35,7 @@ float columnArea(Cell cell, uint slot, uint column) {
 }
 
 void main() {
-    uint thread = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x;
+    uint thread = threadInRows();
     uint place = thread / grid.columns;
     if (place >= min(counters.cells, grid.cellCapacity)) return;
     GridCell record = cells[place];

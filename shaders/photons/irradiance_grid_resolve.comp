@@ -1,6 +1,7 @@
 // Irradiance of each cell in use: power over area.                                                               [I2]
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "lib/indirect_groups.glsl"
 #include "shared/irradiance_grid.h"
 #include "shared/photon.h"
 
@@ -12,7 +13,7 @@ layout(set = 0, binding = SLOT_GRID_COUNTERS, std430) readonly buffer Counters {
 layout(set = 0, binding = SLOT_GRID_LOOK_UP, std430) buffer LookUp { uvec4 lookUp[]; };
 
 void main() {
-    uint place = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x;
+    uint place = threadInRows();
     if (place >= min(counters.cells, grid.cellCapacity)) return;
     uint slot = cells[place].faceSlot >> GRID_FACE_BITS;
     uint word = slot * GRID_SLOT_WORDS;
