@@ -29,13 +29,11 @@ struct GatherWorld {
     photons::IrradianceGrid grid;
 };
 
-[[nodiscard]] CoarseIrradiance addFinalGather(graph::Frame& frame,
-                                              const deferred::Surface& surface,
+[[nodiscard]] CoarseIrradiance addFinalGather(graph::Frame& frame, const deferred::Surface& surface,
                                               const GatherWorld& world,
                                               const FinalGatherSettings& settings);
 
-[[nodiscard]] CoarseIrradiance addFinalFilter(graph::Frame& frame,
-                                              const deferred::Surface& surface,
+[[nodiscard]] CoarseIrradiance addFinalFilter(graph::Frame& frame, const deferred::Surface& surface,
                                               CoarseIrradiance coarse,
                                               const FinalGatherSettings& settings);
 
@@ -45,11 +43,8 @@ struct JoinedIrradiance {
 };
 
 /// \param counters shared::FrameCounters
-[[nodiscard]] JoinedIrradiance addFinalUpsample(graph::Frame& frame,
-                                                const deferred::Surface& surface,
-                                                const GatherWorld& world,
-                                                const CoarseIrradiance& coarse,
-                                                graph::Buffer counters,
-                                                const FinalGatherSettings& settings);
+[[nodiscard]] JoinedIrradiance addFinalUpsample(
+    graph::Frame& frame, const deferred::Surface& surface, const GatherWorld& world,
+    const CoarseIrradiance& coarse, graph::Buffer counters, const FinalGatherSettings& settings);
 
 }  // namespace lampyris::photon_gi

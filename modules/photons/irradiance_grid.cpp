@@ -25,8 +25,8 @@ Groups addGroups(graph::Frame& frame, const GridCells& cells) {
     node.uniformData(shared::SLOT_GRID_PARAMS, cells.params)
         .read(shared::SLOT_GRID_COUNTERS, cells.counters);
     Groups groups;
-    groups.buffer = node.write(shared::SLOT_GRID_GROUPS,
-                               frame.buffer("grid groups", {6 * sizeof(uint32_t)}));
+    groups.buffer =
+        node.write(shared::SLOT_GRID_GROUPS, frame.buffer("grid groups", {6 * sizeof(uint32_t)}));
     node.dispatch(1);
     return groups;
 }
@@ -59,8 +59,8 @@ GridCells beginGrid(graph::Frame& frame, const GridSettings& settings, float pow
     cells.params.powerScale = powerScale;
     auto clear = frame.transfer("irradiance_grid/clear");
     cells.table = clear.fill(frame.buffer("grid table", {tableBytes}), 0);
-    cells.cells = clear.fill(
-        frame.buffer("grid cells", {uint64_t{capacity} * sizeof(shared::GridCell)}), 0);
+    cells.cells =
+        clear.fill(frame.buffer("grid cells", {uint64_t{capacity} * sizeof(shared::GridCell)}), 0);
     return cells;
 }
 

@@ -2,8 +2,8 @@
 ///   in      photons, BVH              out   irradiance by cell, for lib/grid_look_up.glsl
 ///   shader  photons/irradiance_grid_*.comp      theory  README [I1] to [I3]
 ///
-/// Needs no camera and nothing that was computed before: which cells there are, and how much surface
-/// each has, is found anew every frame, so that geometry may move.
+/// Needs no camera and nothing that was computed before: which cells there are, and how much
+/// surface each has, is found anew every frame, so that geometry may move.
 #pragma once
 
 #include "photons/photon_trace.h"
@@ -12,7 +12,7 @@
 namespace lampyris::photons {
 
 struct GridSettings {
-    float cellMetres = 0.5f;  ///< a cell's edge
+    float cellMetres = 0.5f;    ///< a cell's edge
     uint32_t slots = 1u << 16;  ///< of the hash table, a power of two
     uint32_t columns = 16;      ///< rays that measure a cell's surface
     uint32_t seed = 1;          ///< of this frame: moves the cells, so that frames differ in where
@@ -27,12 +27,14 @@ struct GridCells {
 };
 
 struct IrradianceGrid {
-    graph::Buffer lookUp{};    ///< texels RGBA32Uint, one a slot
+    graph::Buffer lookUp{};  ///< texels RGBA32Uint, one a slot
     shared::GridParams params{};
 };
 
 /// Cells that a table of that many slots takes: it is kept half empty.
-[[nodiscard]] constexpr uint32_t cellsIn(uint32_t slots) { return slots / 2; }
+[[nodiscard]] constexpr uint32_t cellsIn(uint32_t slots) {
+    return slots / 2;
+}
 /// The largest table: 128 MiB, Vulkan's guaranteed storage-buffer range.
 constexpr uint32_t kMostGridSlots = 1u << 22;
 

@@ -21,8 +21,8 @@ void main() {
     for (uint c = 0u; c < 3u; ++c)
         power[c] = (float(table[word + GRID_WORD_LOW + c]) + 4294967296.0 * float(table[word + GRID_WORD_HIGH + c])) /
                    float(GRID_POWER_UNITS);
-    // Photons that fell on a sliver which no column met spread over one column: dim, never a spark.
-    uint area = max(table[word + GRID_WORD_AREA], GRID_AREA_UNITS);
+    // Photons that fell on a sliver which no column met spread over most of a column: dim, never a spark.
+    uint area = max(table[word + GRID_WORD_AREA], 3u * GRID_AREA_UNITS / 4u);
     float metres2 = grid.offsetCell.w * grid.offsetCell.w * float(area) / (float(GRID_AREA_UNITS) * float(grid.columns));
     lookUp[slot] = uvec4(floatBitsToUint(power * grid.powerScale / metres2), table[word]);
 }
