@@ -17,6 +17,7 @@ struct Command {
 
 // Each registers one subcommand, which sets `called` when it is parsed.
 void addRender(CLI::App& program, Command& called);
+void addReference(CLI::App& program, Command& called);
 void addView(CLI::App& program, Command& called);
 void addInfo(CLI::App& program, Command& called);
 void addCompare(CLI::App& program, Command& called);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "camera_choice.h"
 #include "core/log.h"
 #include "scene/extract.h"
 #include "scene/load.h"
@@ -12,13 +13,6 @@ namespace {
 
 constexpr int kMostTries =
     12;  // [chosen] buffers grow by half at least: past it the device cannot hold them
-
-std::string listCameras(const scene::SceneSnapshot& snapshot) {
-    std::string names;
-    for (const auto& camera : snapshot.cameras)
-        names += fmt::format("{}'{}'", names.empty() ? "" : ", ", camera.name);
-    return names;
-}
 
 core::Error overflow(const shared::FrameCounters& counters) {
     return core::error(
@@ -59,7 +53,7 @@ core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options,
     TRY(loop->world_, scene::loadScene(options.scene));
     loop->renderer_.emplace(*loop->executor_);
     TRY_VOID(loop->follow());
-    TRY_VOID(loop->chooseCamera(options.camera));
+    TRY(loop->request.camera, chooseCamera(loop->snapshot_, options.camera));
     return loop;
 }
 
@@ -68,16 +62,6 @@ core::Result<void> FrameLoop::follow() {
     snapshot_ = scene::extract(world_, snapshot_, seen_);
     seen_ = world_.advance();
     return renderer_->update(snapshot_);
-}
-
-core::Result<void> FrameLoop::chooseCamera(const std::string& name) {
-    for (const auto& camera : snapshot_.cameras) {
-        if (!name.empty() && camera.name != name) continue;
-        request.camera = camera;
-        return {};
-    }
-    return core::error("--camera {}: the scene has no such camera; it has {}", name,
-                       listCameras(snapshot_));
 }
 
 core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, bool readBack,

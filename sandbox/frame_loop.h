@@ -52,8 +52,6 @@ class FrameLoop {
     [[nodiscard]] const scene::SceneSnapshot& snapshot() const { return snapshot_; }
 
  private:
-    core::Result<void> chooseCamera(const std::string& name);
-
     std::unique_ptr<gpu::Device> device_;
     std::optional<execute::Executor> executor_;
     std::optional<photon_gi::Renderer> renderer_;

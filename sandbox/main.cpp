@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     sandbox::Command called;
     sandbox::addRender(app, called);
+    sandbox::addReference(app, called);
     sandbox::addView(app, called);
     sandbox::addCompare(app, called);
     sandbox::addBench(app, called);

@@ -82,7 +82,14 @@ graph::Extent parseSize(const std::string& text) {
         "--size", fmt::format("'{}' is not WxH with both from 1 to {}", text, kMaxSide));
 }
 
-/// A finite number from `least` to `most`; NaN is in no range.
+bool endsIn(const std::filesystem::path& path, std::initializer_list<const char*> endings) {
+    for (const char* ending : endings)
+        if (path.extension() == ending) return true;
+    return path.empty();
+}
+
+}  // namespace
+
 CLI::Validator finite(double least, double most) {
     const auto check = [least, most](std::string& text) -> std::string {
         double value = 0.0;
@@ -92,19 +99,16 @@ CLI::Validator finite(double least, double most) {
     return CLI::Validator(check, "NUMBER");
 }
 
-bool endsIn(const std::filesystem::path& path, std::initializer_list<const char*> endings) {
-    for (const char* ending : endings)
-        if (path.extension() == ending) return true;
-    return path.empty();
-}
-
-}  // namespace
-
-void addFrameOptions(CLI::App& app, Options& o) {
+void addSizeOptions(CLI::App& app, Options& o) {
     app.add_option_function<std::string>(
            "--size", [&o](const std::string& text) { o.size = parseSize(text); },
            "pixels (1280x720)")
         ->type_name("WxH");
+    app.add_option("--seed", o.seed, "of all random numbers (1)");
+}
+
+void addFrameOptions(CLI::App& app, Options& o) {
+    addSizeOptions(app, o);
     app.add_option("--frames", o.frames, "frames measured (1)")->check(CLI::Range(1u, 1000000u));
     app.add_option("--warmup", o.warmup, "frames drawn before them (0)")
         ->check(CLI::Range(0u, 1000000u));
@@ -141,7 +145,6 @@ void addFrameOptions(CLI::App& app, Options& o) {
     app.add_option("--light-cutoff", o.lightCutoff,
                    "share of the mean direct irradiance under which a light's reach ends (0.001)")
         ->check(finite(0.0, 1e6));
-    app.add_option("--seed", o.seed, "of all random numbers (1)");
     app.add_flag("--validation", o.validation, "Vulkan core and synchronization validation");
     app.add_option("--device", o.device, "part of the device's name (the best there is)")
         ->type_name("SUBSTRING");
@@ -153,13 +156,17 @@ void addDisplayOptions(CLI::App& app, core::DisplayTransform& display) {
     addChoice(app, "--tonemap", display.tonemap, kTonemaps, "display only (clip)");
 }
 
-void addPictureOptions(CLI::App& app, Options& o) {
+void addViewOptions(CLI::App& app, Options& o) {
     app.add_option("--camera", o.camera, "by name (the first)")->type_name("NAME");
     app.add_option("--time", o.time, "seconds, of the first frame (0)")->check(finite(-1e6, 1e6));
-    app.add_option("--timestep", o.timestep, "seconds a frame (0; in view 1/60)")
-        ->check(finite(0.0, 1e6));
     addDisplayOptions(app, o.display);
     app.add_option("--report", o.report, "write measurements")->type_name("FILE.json");
+}
+
+void addPictureOptions(CLI::App& app, Options& o) {
+    addViewOptions(app, o);
+    app.add_option("--timestep", o.timestep, "seconds a frame (0; in view 1/60)")
+        ->check(finite(0.0, 1e6));
     app.add_option("--graph", o.graph, "write the render graph")->type_name("FILE.(dot|json)");
     app.add_option("--trace", o.trace, "write times in Chrome's trace format")
         ->type_name("FILE.json");

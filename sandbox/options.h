@@ -43,13 +43,19 @@ struct Options {
     std::string device;
 };
 
-/// Options of every call that draws frames. They write to `options`, which must outlive `app`'s
-/// parsing.
+// These write to `options`, which must outlive `app`'s parsing.
+/// --size, --seed.
+void addSizeOptions(CLI::App& app, Options& options);
+/// Options of every call that draws frames, those of addSizeOptions included.
 void addFrameOptions(CLI::App& app, Options& options);
 /// --exposure, --tonemap.
 void addDisplayOptions(CLI::App& app, core::DisplayTransform& display);
-/// --camera, --exposure, --tonemap, --time, --timestep, --report, --graph, --trace.
+/// --camera, --time, --exposure, --tonemap, --report.
+void addViewOptions(CLI::App& app, Options& options);
+/// Those of addViewOptions, --timestep, --graph, --trace.
 void addPictureOptions(CLI::App& app, Options& options);
+/// A finite number from `least` to `most`; NaN is in no range.
+[[nodiscard]] CLI::Validator finite(double least, double most);
 
 /// What the options ask for together and cannot have: a wrong call.
 core::Result<void> checkCall(const Options& options);
