@@ -11,7 +11,8 @@ void bindShading(graph::ComputeNode& node, const Surface& surface, const LightLi
     bindSurfaceMaterial(node, surface);
     node.read(shared::SLOT_LIGHTS, scene.lights)
         .read(shared::SLOT_LIGHT_REACH, lights.reach)
-        .read(shared::SLOT_LIGHT_MASKS, lights.masks);
+        .read(shared::SLOT_LIGHT_MASKS, lights.masks)
+        .specialise(shared::SPEC_ANY_SPECULAR, scene.anySpecular ? 1 : 0);
 }
 
 DirectLight writeLight(graph::Frame& frame, graph::ComputeNode& node, graph::Extent size) {
@@ -80,7 +81,8 @@ DirectLight addSphereDirect(graph::Frame& frame, const Surface& surface, const L
     bindShading(node, surface, lights, scene);
     node.sample(shared::SLOT_SHADOW_COUNTS, shadows.counts)
         .sample(shared::SLOT_SHADOW_GUIDE, shadows.guide)
-        .specialise(0, shadows.params.maskWords > 1 ? 1 : 0)
+        .specialise(shared::SPEC_MANY_LIGHTS, shadows.params.maskWords > 1 ? 1 : 0)
+        .specialise(shared::SPEC_SHADOW_PLANES, shadows.params.planes)
         .push(shadows.params);
     DirectLight direct = writeLight(frame, node, size);
     const uint64_t pixels = uint64_t{size.width} * size.height;

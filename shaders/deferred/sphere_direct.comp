@@ -9,7 +9,8 @@
 #include "lib/joint_weight.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 0) const uint kManyLights = 1u;  // 0: one word of lights
+layout(constant_id = SPEC_MANY_LIGHTS) const uint kManyLights = 1u;
+layout(constant_id = SPEC_SHADOW_PLANES) const uint kPlanes = SHADOW_MOST_PLANES;
 layout(set = 0, binding = SLOT_SHADOW_COUNTS) uniform usampler2DArray shadowCounts;
 layout(set = 0, binding = SLOT_SHADOW_GUIDE) uniform usampler2D guide;
 layout(set = 0, binding = SLOT_SHADOW_LIST, std430) writeonly buffer List { uint list[]; };
@@ -27,9 +28,9 @@ Counts countsOf(ivec2 block, uint word) {
     Counts counts;
     for (uint k = 0u; k < SHADOW_MOST_PLANES; ++k) {
         counts.plane[k] = uvec4(0u);
-        if (k < params.planes)
+        if (k < kPlanes)
             for (int i = 0; i < 4; ++i)
-                counts.plane[k][i] = texelFetch(shadowCounts, ivec3(texelOf(block, i), word * params.planes + k), 0).r;
+                counts.plane[k][i] = texelFetch(shadowCounts, ivec3(texelOf(block, i), word * kPlanes + k), 0).r;
     }
     return counts;
 }
@@ -39,7 +40,7 @@ uint anyOf(uvec4 bits) { return bits.x | bits.y | bits.z | bits.w; }
 // Lights that one of the texels sees whole and another not at all.
 uint lightsInDoubt(Counts counts, uvec4 texels) {
     uvec4 none = texels, all = texels;
-    for (uint k = 0u; k < SHADOW_MOST_PLANES; ++k) {
+    for (uint k = 0u; k < kPlanes; ++k) {
         none &= ~counts.plane[k];
         all &= ((params.rays >> k) & 1u) != 0u ? counts.plane[k] : ~counts.plane[k];
     }
@@ -48,7 +49,7 @@ uint lightsInDoubt(Counts counts, uvec4 texels) {
 
 float shareSeen(Counts counts, vec4 weights, uint bit) {
     float sum = 0.0;
-    for (uint k = 0u; k < SHADOW_MOST_PLANES; ++k)
+    for (uint k = 0u; k < kPlanes; ++k)
         sum += float(1u << k) * dot(weights, vec4((counts.plane[k] >> bit) & 1u));
     return sum / float(params.rays);
 }

@@ -13,6 +13,8 @@ layout(set = 0, binding = SLOT_LIGHT_MASKS, std430) readonly buffer Masks { uint
 layout(set = 0, binding = SLOT_IRRADIANCE_DIRECT, rgba16f) uniform writeonly image2D irradianceDirect;
 layout(set = 0, binding = SLOT_SPECULAR_DIRECT, rgba16f) uniform writeonly image2D specularDirect;
 
+layout(constant_id = SPEC_ANY_SPECULAR) const uint kAnySpecular = 1u;
+
 struct ShadedPixel {
     vec3 position, normal, toEye, f0;
     float roughness;
@@ -25,9 +27,12 @@ ShadedPixel beginPixel(ivec2 pixel, float depth) {
     p.position = positionWorld(pixel, depth);
     p.normal = normalAt(pixel);
     p.toEye = normalize(cameraWorld() - p.position);
-    p.roughness = texelFetch(surfaceAlbedo, pixel, 0).a;
-    p.f0 = texelFetch(surfaceSpecular, pixel, 0).rgb;
-    p.f0 *= p.f0;
+    p.f0 = vec3(0.0);
+    if (kAnySpecular != 0u) {
+        p.roughness = texelFetch(surfaceAlbedo, pixel, 0).a;
+        p.f0 = texelFetch(surfaceSpecular, pixel, 0).rgb;
+        p.f0 *= p.f0;
+    }
     p.tile = (uint(pixel.y) / TILE_PIXELS) * view.tilesX + uint(pixel.x) / TILE_PIXELS;
     p.irradiance = p.specular = vec3(0.0);
     return p;
@@ -39,7 +44,7 @@ void addLight(inout ShadedPixel p, uint i, float seen) {
     vec3 toLight = light.positionRadius.xyz - p.position;
     if (length(toLight) > reach[i]) return;
     p.irradiance += seen * diffuseIrradiance(light, toLight, p.normal);
-    if (any(greaterThan(p.f0, vec3(0.0))) && dot(p.normal, toLight) > 0.0)
+    if (kAnySpecular != 0u && any(greaterThan(p.f0, vec3(0.0))) && dot(p.normal, toLight) > 0.0)
         p.specular += seen * normalIrradiance(light, toLight) *
                       sphereSpecular(p.normal, p.toEye, toLight, light.positionRadius.w, p.roughness, p.f0);
 }

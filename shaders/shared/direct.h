@@ -19,6 +19,11 @@ LAMPYRIS_SLOT(SLOT_SHADOW_GROUPS, 0u);     // indirect dispatch over them
 
 LAMPYRIS_SLOT(SHADOW_MOST_PLANES, 5u);
 
+// Specialization constants.
+LAMPYRIS_SLOT(SPEC_MANY_LIGHTS, 0u);       // 0: one word of lights
+LAMPYRIS_SLOT(SPEC_SHADOW_PLANES, 1u);
+LAMPYRIS_SLOT(SPEC_ANY_SPECULAR, 2u);      // 0: every surface is Lambertian
+
 LAMPYRIS_SLOT(REACH_THREADS, 256u);
 
 struct DirectParams {
