@@ -38,7 +38,7 @@ struct Preset {
     uint32_t gatherRays;
     uint32_t filterLevels;
     uint32_t gridColumns;
-    uint32_t shadowDivisor = 4, shadowRays = 4;
+    uint32_t shadowDivisor = 4, shadowRays = 8;
 };
 constexpr Preset kTiles{1000, 1.0f, 2, 0, 0, 0};  // the Thesis's
 constexpr Preset kFast{5000, 1.0f, 8, 4, 2, 8};
@@ -139,7 +139,7 @@ void addFrameOptions(CLI::App& app, Options& o) {
         ->check(CLI::Range(1u, kMaxGatherDivisor));
     app.add_option("--shadow-divisor", o.shadowDivisor, "low resolution of shadows, an axis (4)")
         ->check(CLI::Range(1u, kMaxGatherDivisor));
-    app.add_option("--shadow-rays", o.shadowRays, "a light and low-resolution texel (4)")
+    app.add_option("--shadow-rays", o.shadowRays, "a light and low-resolution texel (8)")
         ->check(CLI::Range(1u, kMaxShadowRays));
     app.add_option("--history", o.history,
                    "final gather: frames in the mean while nothing changes; 0 is off (32)")

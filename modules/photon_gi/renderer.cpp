@@ -119,7 +119,7 @@ void Renderer::shrinkBatches(double share) {
 bool Renderer::grow(const shared::FrameCounters& counters) {
     const bool dropped = counters.photonsDropped > 0 || counters.pairsDropped > 0;
     const bool fullGrid = counters.cellsDropped > 0;
-    if (fullGrid) room_.gridSlots = std::min(2 * room_.gridSlots, photons::kMostGridSlots);
+    if (fullGrid) room_.gridSlots = std::min(4 * room_.gridSlots, photons::kMostGridSlots);
     const bool crowded = counters.mostInTile > kMostPhotonsInTile && lastBatch_ > 1;
     if (counters.photonsDropped > 0)
         room_.photons = grown(counters.photonsNeeded, photons::kMaxPhotonCapacity);

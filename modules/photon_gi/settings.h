@@ -36,7 +36,7 @@ struct Settings {
     bool reseed = true;                   ///< paths are drawn anew every frame
     bool shadows = true;                  ///< `full` and `direct`
     uint32_t shadowDivisor = 4;           ///< low resolution of the shadows, an axis
-    uint32_t shadowRays = 4;              ///< a texel and light
+    uint32_t shadowRays = 8;              ///< a texel and light
     uint32_t largestBatch = 0xffffffffu;  ///< paths traced in one go, at most
 };
 
