@@ -134,7 +134,8 @@ void addFrameOptions(CLI::App& app, Options& o) {
 }
 
 void addDisplayOptions(CLI::App& app, core::DisplayTransform& display) {
-    app.add_option("--exposure", display.exposureEv, "EV; display only (0)")
+    app.add_option("--exposure", display.exposureEv,
+                   fmt::format("EV; display only ({:g})", display.exposureEv))
         ->check(finite(-100.0, 100.0));
     addChoice(app, "--tonemap", display.tonemap, kTonemaps, "display only (clip)");
 }
