@@ -22,15 +22,15 @@ void widen(Range& range, double value) {
     range = {std::min(range.low, value), std::max(range.high, value)};
 }
 
-Bounds boundsOf(const std::vector<Series>& all, Range shown) {
+Bounds boundsOf(const std::vector<Series>& all, const std::optional<Range>& shown) {
     Bounds bounds;
     for (const Series& series : all)
         for (const Point& p : series.points) {
             widen(bounds.x, p.x);
             widen(bounds.y, p.y);
         }
-    if (shown.high > shown.low)
-        for (const double value : {shown.low, shown.high}) widen(bounds.y, value);
+    if (shown)
+        for (const double value : {shown->low, shown->high}) widen(bounds.y, value);
     return bounds;
 }
 

@@ -1,6 +1,7 @@
 /// \file Lines and points over two axes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct Chart {
     std::string title, xLabel, yLabel;
     Scale yScale = Scale::Linear;
     std::vector<Series> series;
-    Range y{0.0, 0.0};  ///< shown at least, where high is above low: the same for charts to compare
+    std::optional<Range> y{};  ///< shown at least: the same for charts to compare
 };
 
 /// Points that have no place on a logarithmic axis (0 and less) are left out; so is all where

@@ -8,6 +8,7 @@ namespace lampyris::sandbox::plot {
 namespace {
 
 constexpr double kBarShare = 0.7;  ///< of the room from bar to bar
+constexpr double kMostWidth = 60.0;
 constexpr double kLabelSize = 10.0;
 
 double highestOf(const std::vector<Bar>& bars) {
@@ -44,9 +45,10 @@ void draw(Svg& svg, Point topLeft, const StackedBars& chart) {
     for (size_t i = 0; i < chart.bars.size(); ++i) {
         CHECK(chart.bars[i].parts.size() == chart.parts.size());
         const double middle = area.x.low + (static_cast<double>(i) + 0.5) * step;
-        drawBar(svg, chart.bars[i], middle, kBarShare * step, y);
+        drawBar(svg, chart.bars[i], middle, std::min(kBarShare * step, kMostWidth), y);
     }
     svg.line({area.x.low, area.y.low}, {area.x.high, area.y.low}, {});
+    if (chart.parts.size() < 2) return;
     std::vector<LegendEntry> legend;
     for (size_t i = 0; i < chart.parts.size(); ++i)
         legend.push_back({chart.parts[i], colourOf(i), false, false});

@@ -15,7 +15,7 @@ struct Bar {
 
 struct StackedBars {
     std::string title, yLabel;
-    std::vector<std::string> parts;  ///< their names
+    std::vector<std::string> parts;  ///< their names; one alone needs no legend
     std::vector<Bar> bars;           ///< each with as many parts
 };
 

@@ -15,6 +15,21 @@ const std::array<std::string, 10> kDirectNodes{
 const std::array<std::string, 1> kTraceNodes{"photon_trace*"};
 const std::array<std::string, 1> kAllNodes{"*"};
 
+/// A frame each, in milliseconds.
+struct Costs {
+    std::vector<double> direct, trace, estimate, between;
+};
+
+Costs splitOf(const FrameSeries& series) {
+    Costs costs{series.sumOf(kDirectNodes), series.sumOf(kTraceNodes), {}, {}};
+    const std::vector<double> all = series.sumOf(kAllNodes);
+    for (size_t i = 0; i < series.frames(); ++i) {
+        costs.estimate.push_back(all[i] - costs.direct[i] - costs.trace[i]);
+        costs.between.push_back(series.frameMilliseconds()[i] - all[i]);
+    }
+    return costs;
+}
+
 }  // namespace
 
 Spread spreadOf(std::span<const double> values) {
@@ -23,23 +38,20 @@ Spread spreadOf(std::span<const double> values) {
 }
 
 Figures costsOf(const Contestant& contestant) {
-    const FrameSeries& series = contestant.series;
-    const std::vector<double>& frame = series.frameMilliseconds();
-    const std::vector<double> direct = series.sumOf(kDirectNodes);
-    const std::vector<double> trace = series.sumOf(kTraceNodes);
-    const std::vector<double> all = series.sumOf(kAllNodes);
-    std::vector<double> estimate, between;
-    for (size_t i = 0; i < frame.size(); ++i) {
-        estimate.push_back(all[i] - direct[i] - trace[i]);
-        between.push_back(frame[i] - all[i]);
-    }
-    return {{kFrame, spreadOf(frame)},
+    const Costs costs = splitOf(contestant.series);
+    return {{kFrame, spreadOf(contestant.series.frameMilliseconds())},
             {kStored, spreadOf(contestant.photonsStored)},
             {kPaths, {static_cast<double>(contestant.report.paths), 0.0}},
-            {kDirect, spreadOf(direct)},
-            {kTrace, spreadOf(trace)},
-            {kEstimate, spreadOf(estimate)},
-            {kBetween, spreadOf(between)}};
+            {kDirect, spreadOf(costs.direct)},
+            {kTrace, spreadOf(costs.trace)},
+            {kEstimate, spreadOf(costs.estimate)},
+            {kBetween, spreadOf(costs.between)}};
+}
+
+std::vector<double> indirectMilliseconds(const Contestant& contestant) {
+    Costs costs = splitOf(contestant.series);
+    for (size_t i = 0; i < costs.trace.size(); ++i) costs.trace[i] += costs.estimate[i];
+    return costs.trace;
 }
 
 core::Result<Figures> errorsOf(std::span<const core::Image> pictures,

@@ -35,6 +35,9 @@ using Row = std::map<std::string, Figures>;
 /// Costs of a race, split as the Thesis' figures 6.3 and B.1 split them.
 [[nodiscard]] Figures costsOf(const Contestant& contestant);
 
+/// Photon tracing and radiance estimate, a frame each.
+[[nodiscard]] std::vector<double> indirectMilliseconds(const Contestant& contestant);
+
 /// Errors of pictures against the reference. Error: the pictures are of another size, or hold NaN.
 core::Result<Figures> errorsOf(std::span<const core::Image> pictures,
                                const evaluation::Picture& reference,

@@ -16,6 +16,7 @@ namespace {
 using namespace thesis;
 using photon_gi::Pipeline;
 
+constexpr StudySize kQuick{{480, 270}, 5, 2, 256, 1};
 constexpr uint32_t kMiddlePaths = 1000;
 constexpr float kMiddleRadiusMetres = 1.0f;
 constexpr const char* kMiddle = "middle row";
@@ -37,15 +38,17 @@ Pair pairOf(const Study& study, Pipeline pipeline) {
     return pair;
 }
 
-/// A frame's cost as a share of the middle row's.
+/// What a frame's indirect light costs, as a share of the middle row's. The rest of a frame costs
+/// the same in both, and would only add its noise. The median over the turns of the ratio within
+/// each: a machine that others use slows both frames of a turn.
 core::Result<double> shareOfBudget(Pair& pair, const Study& study, uint32_t paths) {
     pair.candidate().options.photons = paths;
     TRY_VOID(race(pair.both, {study.size().warmup, study.size().frames, 0,
                               fmt::format("{}, {} paths, frame", study.progress, paths)}));
-    const auto medianOf = [](const Contestant& c) {
-        return summarise(c.series.frameMilliseconds()).median;
-    };
-    return medianOf(pair.candidate()) / medianOf(pair.both.front());
+    std::vector<double> ratios = indirectMilliseconds(pair.candidate());
+    const std::vector<double> middle = indirectMilliseconds(pair.both.front());
+    for (size_t i = 0; i < ratios.size(); ++i) ratios[i] /= middle[i];
+    return summarise(ratios).median;
 }
 
 core::Result<Row> search(Study& study, Pair& pair) {
@@ -112,17 +115,24 @@ std::vector<Affordable> storedInPrint() {
     return stored;
 }
 
+/// "596/r + 165/r²"
+std::string formulaOf(const Estimator& e) {
+    if (e.c2 == 0.0) return fmt::format("{:.0f}/r", e.c1);
+    if (e.c1 == 0.0) return fmt::format("{:.0f}/r²", e.c2);
+    return fmt::format("{:.0f}/r {} {:.0f}/r²", e.c1, e.c2 < 0.0 ? "−" : "+", std::abs(e.c2));
+}
+
 /// Adds the estimators of one series to the table, and gives their plot.
 plot::Chart fitAndPlot(const std::string& name, const std::vector<Affordable>& stored,
                        Table& table) {
-    plot::Chart chart{name, "radius (m)", "photons stored", plot::Scale::Logarithmic, {}, {}};
+    plot::Chart chart{name, "radius (m)", "photons stored", plot::Scale::Logarithmic, {}};
     plot::Series measured{"measured", {}, false};
     for (const Affordable& a : stored) measured.points.push_back({a.radiusMetres, a.photons});
     chart.series.push_back(measured);
     for (const Estimator& e : fitEstimators(stored)) {
         table.rows.push_back({name, e.name, fmt::format("{:.1f}", e.c1),
                               fmt::format("{:.1f}", e.c2), fmt::format("{:.1f}", e.rmsPhotons)});
-        plot::Series line{fmt::format("{}: {:.0f}, {:.0f}", e.name, e.c1, e.c2), {}, true, false};
+        plot::Series line{formulaOf(e), {}, true, false};
         constexpr int kSteps = 60;
         for (int i = 0; i <= kSteps; ++i) {
             const double radius = std::lerp(stored.front().radiusMetres, stored.back().radiusMetres,
@@ -145,7 +155,7 @@ plot::StackedBars splitOf(const std::string& name, const std::vector<ScalingRow>
 }  // namespace
 
 core::Result<void> benchFixedBudget(const BenchCall& call) {
-    TRY(Study study, Study::open(call, "fixed-budget"));
+    TRY(Study study, Study::open(call, "fixed-budget", kQuick));
     TRY(const Truth truth, findTruth(study, study.scene()));
     Table fits{"estimators",
                "Photons stored N that a budget affords at radius r: least squares of table 6.2",

@@ -1,4 +1,5 @@
 // `lampyris bench parameter-scaling`: the Thesis' table 6.1, cost and error over paths and radius.
+#include <algorithm>
 #include <functional>
 
 #include "thesis/scaling_table.h"
@@ -30,20 +31,24 @@ std::vector<Shown> shownFigures() {
          [](const PrintedRow& p) { return p.mssim; }}};
 }
 
-/// The Thesis first, then each way of drawing.
+/// The Thesis first, then each way of drawing; errors of all on one scale.
 std::string panelsOf(const Shown& shown,
                      const std::map<std::string, std::vector<ScalingRow>>& all) {
-    std::vector<plot::Chart> panels;
-    std::vector<ScalingSample> printed;
+    std::map<std::string, std::vector<ScalingSample>> samples;
     for (const PrintedRow& p : table61())
-        printed.push_back({p.paths, p.radiusMetres, shown.printed(p)});
-    panels.push_back(chartOverRadius("the Thesis", shown.label, shown.scale, printed));
-    for (const char* name : {"thesis", "full"}) {
-        std::vector<ScalingSample> samples;
-        for (const ScalingRow& row : all.at(name))
-            samples.push_back({row.printed.paths, row.radiusMetres, shown.here(row.here)});
-        panels.push_back(chartOverRadius(name, shown.label, shown.scale, samples));
+        samples["the Thesis"].push_back({p.paths, p.radiusMetres, shown.printed(p)});
+    for (const auto& [name, rows] : all)
+        for (const ScalingRow& row : rows)
+            samples[name].push_back({row.printed.paths, row.radiusMetres, shown.here(row.here)});
+    std::vector<plot::Chart> panels;
+    std::vector<double> values;
+    for (const char* name : {"the Thesis", "thesis", "full"}) {
+        panels.push_back(chartOverRadius(name, shown.label, shown.scale, samples.at(name)));
+        for (const ScalingSample& sample : samples.at(name)) values.push_back(sample.value);
     }
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    for (plot::Chart& panel : panels)
+        if (shown.name != std::string("ms")) panel.y = plot::Range{*least, *most};
     return plot::sideBySide(panels);
 }
 

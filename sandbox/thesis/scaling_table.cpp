@@ -52,7 +52,7 @@ Table scalingTable(const std::string& name, const std::string& title,
 
 plot::Chart chartOverRadius(const std::string& title, const std::string& yLabel, plot::Scale yScale,
                             const std::vector<ScalingSample>& samples) {
-    plot::Chart chart{title, "radius (m)", yLabel, yScale, {}, {}};
+    plot::Chart chart{title, "radius (m)", yLabel, yScale, {}};
     for (const ScalingSample& sample : samples) {
         const std::string name = fmt::format("{} paths", sample.paths);
         auto series = std::find_if(chart.series.begin(), chart.series.end(),

@@ -92,9 +92,8 @@ core::Result<std::vector<System>> measure(Study& study, const Truth& truth) {
         {"thesis", row.at("thesis")},
         {"full", row.at("full")},
         {"direct", row.at("direct")},
-        {"direct + constant ambient", ambient.at("ambient")},
-        {fmt::format("CPU reference, {:.0f} samples a pixel", reference.at(kSamples).mean),
-         reference}};
+        {"direct + ambient", ambient.at("ambient")},
+        {fmt::format("reference, {:.0f} spp", reference.at(kSamples).mean), reference}};
 }
 
 Table tableOf(const Study& study, const Truth& truth, const std::vector<System>& systems) {
@@ -130,10 +129,9 @@ std::string plotOf(const std::vector<System>& systems) {
         plot::StackedBars bars{label, label, {label}, {}};
         for (const System& system : systems) {
             const size_t space = system.name.find(' ');
-            bars.bars.push_back(
-                {system.name.substr(0, space),
-                 space == std::string::npos ? "" : system.name.substr(space + 1, 10),
-                 {system.figures.at(figure).mean}});
+            bars.bars.push_back({system.name.substr(0, space),
+                                 space == std::string::npos ? "" : system.name.substr(space + 1),
+                                 {system.figures.at(figure).mean}});
         }
         panels.push_back(bars);
     }

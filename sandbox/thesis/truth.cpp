@@ -42,6 +42,7 @@ Json wishOf(const Study& study, const std::string& scene) {
             {"size", {size.width, size.height}},
             {"seed", o.seed},
             {"camera", o.camera},
+            {"time", o.time},
             {"spp", samplesOfHalf(study)},
             {"exposure", o.display.exposureEv},
             {"tonemap", static_cast<int>(o.display.tonemap)},
