@@ -25,13 +25,15 @@ struct ReferenceOptions : Options {
     std::string transport = "diffuse";
     bool smoothIndirect = false;
     uint32_t threads = 0;
+    std::filesystem::path all;
 };
 
 reference::Settings settingsOf(const ReferenceOptions& o) {
     reference::Settings s;
     s.width = sizeOf(o).width;
     s.height = sizeOf(o).height;
-    s.samplesPerPixel = reference::showsLight(o.outputNode) ? o.samplesPerPixel : 0;
+    s.samplesPerPixel =
+        reference::showsLight(o.outputNode) || !o.all.empty() ? o.samplesPerPixel : 0;
     s.maxError = o.maxError;
     s.maxBounces = o.maxBounces.value_or(reference::kAllBounces);
     s.transport =
@@ -71,7 +73,21 @@ core::Result<void> checkAsked(const ReferenceOptions& o) {
     if (std::find(names.begin(), names.end(), o.outputNode) == names.end())
         return core::error("--output-node {}: there is no such image; there are {}", o.outputNode,
                            fmt::join(names, ", "));
-    return checkOutputs(o);
+    TRY_VOID(checkOutputs(o));
+    if (o.all.empty()) return {};
+    std::error_code code;
+    std::filesystem::create_directory(o.all, code);
+    if (code) return core::error("--all {}: {}", o.all.string(), code.message());
+    return checkTarget(o.all / "final.exr");
+}
+
+core::Result<void> writeFiles(const ReferenceOptions& o, const reference::Rendered& rendered) {
+    TRY_VOID(core::writeImage(o.output, *rendered.image(o.outputNode), o.display));
+    if (!o.all.empty())
+        for (const std::string_view name : reference::kImageNames)
+            TRY_VOID(core::writeExr(o.all / fmt::format("{}.exr", name), *rendered.image(name)));
+    if (o.report.empty()) return {};
+    return core::writeFile(o.report, makeReport(o, rendered));
 }
 
 core::Result<void> render(const ReferenceOptions& o) {
@@ -88,9 +104,7 @@ core::Result<void> render(const ReferenceOptions& o) {
     };
     TRY(const reference::Rendered rendered, trace());
     core::releaseLog();
-    TRY_VOID(core::writeImage(o.output, *rendered.image(o.outputNode), o.display));
-    if (o.report.empty()) return {};
-    return core::writeFile(o.report, makeReport(o, rendered));
+    return writeFiles(o, rendered);
 }
 
 }  // namespace
@@ -122,6 +136,8 @@ void addReference(CLI::App& program, Command& called) {
            "--output-node", options->outputNode,
            fmt::format("another image: {} (final)", fmt::join(reference::kImageNames, ", ")))
         ->type_name("NAME");
+    app->add_option("--all", options->all, "write every image, too, as DIR/NAME.exr")
+        ->type_name("DIR");
     addSizeOptions(*app, *options);
     addViewOptions(*app, *options);
     app->callback([options, &called] {

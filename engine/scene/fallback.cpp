@@ -97,6 +97,10 @@ void addMissingCamera(ecs::World& world, const std::string& scene) {
 
 void addMissingLight(ecs::World& world, const std::string& scene) {
     if (anyLightShines(world) || anythingEmissive(world)) return;
+    if (world.count<SphereLight>() > 0) {
+        core::logWarning("{}: its lights have no power, so that everything is black", scene);
+        return;
+    }
     const LightAbove above = lightAbove(boundsWorld(world));
     spawnLight(world, "light", above.position, above.light);
     core::logWarning("{}: no light; one sphere light above the scene is used", scene);

@@ -33,7 +33,8 @@ struct LightAbove {
 /// Adds the framing camera where the world has none, with one warning that names the scene.
 void addMissingCamera(ecs::World& world, const std::string& scene);
 
-/// Adds the light above where no light has power and nothing drawn is emissive, with one warning.
+/// Adds the light above where there is none and nothing drawn is emissive, with one warning. Lights
+/// without power stay as they are, with a warning that everything is black.
 void addMissingLight(ecs::World& world, const std::string& scene);
 
 }  // namespace lampyris::scene

@@ -48,9 +48,8 @@ glm::vec3 alongGloss(const Stage& stage, const Reflector& reflector, float total
 
 }  // namespace
 
-Received sphereLight(const Stage& stage, const Reflector& reflector, const OwenSobol& numbers,
-                     uint32_t vertex, uint64_t& rays) {
-    const glm::vec4 xi = numbers.group(groupOf(vertex, Use::Light));
+Received sphereLight(const Stage& stage, const Reflector& reflector, const glm::vec4& xi,
+                     const OwenSobol& numbers, uint32_t vertex, uint64_t& rays) {
     const SphereLights::Choice choice =
         stage.lights->choose(reflector.origin(), reflector.geometricNormal(), xi.z);
     if (!(choice.chance > 0.0f)) return {};

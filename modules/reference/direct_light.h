@@ -23,9 +23,10 @@ struct Received {
 };
 
 /// Sphere lights: one of them by its solid angle, and where the surface is glossy those that a
-/// direction of GGX meets, joined by multiple importance sampling.
-Received sphereLight(const Stage& stage, const Reflector& reflector, const OwenSobol& numbers,
-                     uint32_t vertex, uint64_t& rays);
+/// direction of GGX meets, joined by multiple importance sampling. `xi` is the vertex's group for
+/// Use::Light.
+Received sphereLight(const Stage& stage, const Reflector& reflector, const glm::vec4& xi,
+                     const OwenSobol& numbers, uint32_t vertex, uint64_t& rays);
 
 /// Emissive triangles: one point of them. The rest of the estimate is the path that goes on and
 /// meets one: its weight is powerHeuristic(density of the path, density of this).

@@ -102,12 +102,16 @@ double Film::relativeError(uint32_t samples) const {
     return average > 0.0 ? std::sqrt(square / pixels) / average : 0.0;
 }
 
-core::Image Film::irradianceIndirect(uint32_t samples, bool smooth, const PixelRays& camera) const {
+core::Image Film::irradianceIndirect(uint32_t samples) const {
     core::Image image(width_, height_, 3);
     const float share = samples > 0 ? 1.0f / static_cast<float>(samples) : 0.0f;
     for (size_t i = 0; i < sums_.size(); ++i)
         put(image, i, sums_[i].light.irradianceIndirect * share);
-    if (!smooth) return image;
+    return image;
+}
+
+core::Image Film::smoothed(const core::Image& irradiance, uint32_t samples, const PixelRays& camera,
+                           uint32_t threads) const {
     std::vector<SmoothGuide> guides(guides_.size());
     for (size_t i = 0; i < guides.size(); ++i) {
         const PixelGuide& g = guides_[i];
@@ -115,16 +119,19 @@ core::Image Film::irradianceIndirect(uint32_t samples, bool smooth, const PixelR
             g.position, g.normal, g.depthMetres * camera.footprint(), indirectVariance(i, samples),
             g.instance, g.surface};
     }
-    return smoothIndirect(image, guides);
+    return smoothIndirect(irradiance, guides, threads);
 }
 
-Rendered Film::develop(uint32_t samples, bool smooth, const PixelRays& camera) const {
+Rendered Film::develop(uint32_t samples, const PixelRays& camera, const Settings& settings) const {
     Rendered out;
     for (core::Image* image : {&out.final, &out.direct, &out.indirect, &out.irradianceDirect,
                                &out.albedo, &out.normal, &out.position, &out.error})
         *image = core::Image(width_, height_, 3);
     out.depth = core::Image(width_, height_, 1);
-    out.irradianceIndirect = irradianceIndirect(samples, smooth, camera);
+    out.irradianceIndirect = irradianceIndirect(samples);
+    if (settings.smoothIndirect)
+        out.irradianceIndirect =
+            smoothed(out.irradianceIndirect, samples, camera, settings.threads);
     const float share = samples > 0 ? 1.0f / static_cast<float>(samples) : 0.0f;
     for (size_t i = 0; i < sums_.size(); ++i) {
         const LightSplit& light = sums_[i].light;

@@ -45,13 +45,14 @@ class Film {
     [[nodiscard]] double relativeError(uint32_t samples) const;
 
     /// Divides by the samples taken; smooths where asked.
-    [[nodiscard]] Rendered develop(uint32_t samples, bool smoothIndirect,
-                                   const PixelRays& camera) const;
+    [[nodiscard]] Rendered develop(uint32_t samples, const PixelRays& camera,
+                                   const Settings& settings) const;
 
  private:
     [[nodiscard]] float indirectVariance(size_t pixel, uint32_t samples) const;
-    [[nodiscard]] core::Image irradianceIndirect(uint32_t samples, bool smooth,
-                                                 const PixelRays& camera) const;
+    [[nodiscard]] core::Image irradianceIndirect(uint32_t samples) const;
+    [[nodiscard]] core::Image smoothed(const core::Image& irradiance, uint32_t samples,
+                                       const PixelRays& camera, uint32_t threads) const;
 
     uint32_t width_, height_, sequences_;
     std::vector<PixelSums> sums_;

@@ -33,7 +33,8 @@ PathTracer::Seen PathTracer::look(const Surface& surface, const glm::vec3& toEye
 
 LightSplit PathTracer::sample(const Seen& seen, const OwenSobol& numbers) {
     LightSplit split;
-    const Received direct = sphereLight(stage_, seen.lit, numbers, 0, rays_);
+    const Received direct = sphereLight(stage_, seen.lit, numbers.group(groupOf(0, Use::Light)),
+                                        numbers, 0, rays_);
     split.irradianceDirect = direct.irradiance;
     split.specularDirect = direct.specular;
     if (maxBounces_ == 0) return split;
@@ -58,6 +59,10 @@ LightSplit PathTracer::sample(const Seen& seen, const OwenSobol& numbers) {
 glm::vec3 PathTracer::arriving(Ray ray, float density, const OwenSobol& numbers) {
     glm::vec3 sum(0.0f), throughput(1.0f);
     for (uint32_t bounce = 1;; ++bounce) {
+        // Drawn before the ray is traced, and the direction before the shadow rays: the processor
+        // does both at once.
+        const glm::vec4 xi = numbers.group(groupOf(bounce, Use::Continue));
+        const glm::vec4 xiLight = numbers.group(groupOf(bounce, Use::Light));
         ++rays_;
         const auto hit = stage_.scene->closest(ray);
         if (!hit) return sum;
@@ -74,12 +79,11 @@ glm::vec3 PathTracer::arriving(Ray ray, float density, const OwenSobol& numbers)
 
         const Reflector reflector(surface, -ray.direction, surface.geometric, glossyPaths_,
                                   stage_.scene->clearance());
-        // Drawn before the shadow rays, so that the processor does both at once.
-        const glm::vec4 xi = numbers.group(groupOf(bounce, Use::Continue));
         const glm::vec3 direction = reflector.sample(glm::vec3(xi));
         density = reflector.density(direction);
         sum += throughput *
-               reflected(reflector, sphereLight(stage_, reflector, numbers, bounce, rays_));
+               reflected(reflector,
+                         sphereLight(stage_, reflector, xiLight, numbers, bounce, rays_));
         sum += throughput *
                reflected(reflector, emitterLight(stage_, reflector, numbers, bounce, rays_));
         if (bounce == maxBounces_ && stage_.emitters->empty()) return sum;

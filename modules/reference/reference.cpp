@@ -1,7 +1,5 @@
 #include "reference/reference.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <new>
 
 #include "reference/film.h"
+#include "reference/parallel.h"
 
 namespace lampyris::reference {
 namespace {
@@ -36,7 +35,7 @@ class Meter {
  public:
     Meter(const ProgressFunction& tell, uint64_t total) : tell_(tell), total_(total) {}
     void add(uint64_t samples) {
-        if (!tell_) return;
+        if (!tell_ || total_ == 0) return;
         const std::lock_guard lock(mutex_);
         done_ += samples;
         tell_(std::min(done_, total_), total_);
@@ -68,7 +67,7 @@ class Render {
             taken = until;
         } while (taken < settings_.samplesPerPixel && !goodEnough(taken));
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        Rendered rendered = film_.develop(taken, settings_.smoothIndirect, camera_);
+        Rendered rendered = film_.develop(taken, camera_, settings_);
         rendered.rays = rays_;
         rendered.seconds = seconds.count();
         return rendered;
@@ -84,7 +83,7 @@ class Render {
     void takeRound(uint32_t first, uint32_t last) {
         const uint32_t columns = (settings_.width + kTile - 1) / kTile;
         const uint32_t rows = (settings_.height + kTile - 1) / kTile;
-        tbb::parallel_for(0u, columns * rows, [&](uint32_t tile) {
+        shareOut(columns * rows, settings_.threads, [&](uint32_t tile) {
             PathTracer tracer(stage_, settings_.maxBounces, settings_.transport);
             const uint32_t left = tile % columns * kTile, top = tile / columns * kTile;
             const uint32_t right = std::min(left + kTile, settings_.width);
@@ -143,9 +142,7 @@ core::Result<Rendered> render(const scene::SceneSnapshot& snapshot,
         const SphereLights lights(snapshot);
         const Emitters emitters(scene);
         const Stage stage{&scene, &lights, &emitters};
-        tbb::task_arena arena(settings.threads == 0 ? tbb::task_arena::automatic
-                                                    : static_cast<int>(settings.threads));
-        return arena.execute([&] { return Render(stage, camera, settings, progress).run(); });
+        return Render(stage, camera, settings, progress).run();
     } catch (const std::bad_alloc&) {
         return core::error("a picture of {}x{} and its scene do not fit into memory",
                            settings.width, settings.height);

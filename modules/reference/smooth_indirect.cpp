@@ -1,45 +1,22 @@
 #include "reference/smooth_indirect.h"
 
-#include <tbb/parallel_for.h>
-
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "reference/plane_fit.h"
+#include "reference/local_fit.h"
+#include "reference/parallel.h"
 #include "reference/warps.h"
 
 namespace lampyris::reference {
 namespace {
 
-// Radii of the discs in pixels; each holds about twice the pixels of the last. [chosen]
-constexpr std::array<float, 8> kRadii{1.5f, 2.3f, 3.3f, 4.6f, 6.5f, 9.2f, 13.0f, 18.0f};
-// Half of an interval, in standard errors. [measured: see README]
+// Half of an interval, in standard errors. [measured: README]
 constexpr double kTrust = 2.0;
-constexpr float kSameNormal = 0.99f;  // cosine of 8 degrees
-
-using Ring = std::vector<glm::ivec2>;
-
-/// What each disc has more than the one before; the first without the centre.
-std::array<Ring, kRadii.size()> makeRings() {
-    std::array<Ring, kRadii.size()> rings;
-    const int reach = static_cast<int>(kRadii.back());
-    for (int y = -reach; y <= reach; ++y)
-        for (int x = -reach; x <= reach; ++x) {
-            const float distance = std::hypot(static_cast<float>(x), static_cast<float>(y));
-            for (size_t ring = 0; ring < rings.size(); ++ring) {
-                if (distance > kRadii[ring]) continue;
-                if (distance > 0.0f) rings[ring].emplace_back(x, y);
-                break;
-            }
-        }
-    return rings;
-}
-
-bool sameSurface(const SmoothGuide& a, const SmoothGuide& b) {
-    return b.surface && a.instance == b.instance && glm::dot(a.normal, b.normal) >= kSameNormal &&
-           std::abs(glm::dot(a.normal, b.position - a.position)) <= a.footprintMetres;
-}
+// Discs over which neighbours agree on a size, and over which they pool their variances: a pixel's
+// few sequences do not tell its own. [measured: README]
+constexpr size_t kAgreeDiscs = 2;
+constexpr size_t kPoolDiscs = 4;
 
 /// Where the answer lies by all estimates so far.
 struct Interval {
@@ -47,7 +24,7 @@ struct Interval {
     double upper = std::numeric_limits<double>::infinity();
 
     /// False where nothing is left.
-    bool narrow(const PlaneFit::Estimate& estimate) {
+    bool narrow(const LocalFit::Estimate& estimate) {
         const double middle = (estimate.value.x + estimate.value.y + estimate.value.z) / 3.0;
         const double half = kTrust * std::sqrt(estimate.variance);
         lower = std::max(lower, middle - half);
@@ -58,16 +35,27 @@ struct Interval {
 
 class Smoothing {
  public:
-    Smoothing(const core::Image& image, const std::vector<SmoothGuide>& guides)
-        : image_(image), guides_(guides), rings_(makeRings()), pooled_(guides.size(), 0.0) {}
+    Smoothing(const core::Image& image, const std::vector<SmoothGuide>& guides, uint32_t threads)
+        : image_(image),
+          guides_(guides),
+          discs_(guides, image.width),
+          threads_(threads),
+          variance_(guides.size(), 0.0),
+          size_(guides.size(), 0.0) {}
 
     core::Image run() {
         core::Image out(image_.width, image_.height, 3);
-        forEachSurface([&](int x, int y) { pooled_[index(x, y)] = pooledVariance(x, y); });
-        forEachSurface([&](int x, int y) {
-            const glm::vec3 value = smoothed(x, y);
+        forEachSurface([&](size_t pixel) {
+            variance_[pixel] = discs_.mean(pixel, kPoolDiscs, [&](size_t i) {
+                return static_cast<double>(guides_[i].variance);
+            });
+        });
+        forEachSurface([&](size_t pixel) { size_[pixel] = sizeThatAgrees(pixel); });
+        forEachSurface([&](size_t pixel) {
+            const double size = discs_.mean(pixel, kAgreeDiscs, [&](size_t i) { return size_[i]; });
+            const glm::dvec3 value = glm::max(smoothed(pixel, size), 0.0);
             for (int c = 0; c < 3; ++c)
-                out.values[3 * index(x, y) + static_cast<size_t>(c)] = std::max(value[c], 0.0f);
+                out.values[3 * pixel + static_cast<size_t>(c)] = static_cast<float>(value[c]);
         });
         return out;
     }
@@ -75,62 +63,54 @@ class Smoothing {
  private:
     template <typename Visit>
     void forEachSurface(const Visit& visit) const {
-        tbb::parallel_for(0, static_cast<int>(image_.height), [&](int y) {
-            for (int x = 0; x < static_cast<int>(image_.width); ++x)
-                if (guides_[index(x, y)].surface) visit(x, y);
+        shareOut(image_.height, threads_, [&](uint32_t row) {
+            const size_t first = size_t{row} * image_.width;
+            for (size_t pixel = first; pixel < first + image_.width; ++pixel)
+                if (guides_[pixel].surface) visit(pixel);
         });
     }
 
-    /// Visits a ring's pixels on the centre's surface.
+    /// Calls visit(estimate) for the pixel alone and then for each disc, until it returns false.
     template <typename Visit>
-    void visitRing(int x, int y, size_t ring, const Visit& visit) const {
-        const SmoothGuide& centre = guides_[index(x, y)];
-        for (const glm::ivec2 offset : rings_[ring]) {
-            const int u = x + offset.x, v = y + offset.y;
-            if (u < 0 || v < 0 || u >= static_cast<int>(image_.width) ||
-                v >= static_cast<int>(image_.height))
-                continue;
-            if (sameSurface(centre, guides_[index(u, v)])) visit(index(u, v));
-        }
-    }
-
-    /// Single pixels have too few sequences to know their variance.
-    [[nodiscard]] double pooledVariance(int x, int y) const {
-        double sum = static_cast<double>(guides_[index(x, y)].variance);
-        int count = 1;
-        for (size_t ring = 0; ring < 2; ++ring)
-            visitRing(x, y, ring, [&](size_t neighbour) {
-                sum += static_cast<double>(guides_[neighbour].variance);
-                ++count;
-            });
-        return sum / count;
-    }
-
-    [[nodiscard]] glm::vec3 smoothed(int x, int y) const {
-        const SmoothGuide& centre = guides_[index(x, y)];
+    void forEachDisc(size_t pixel, const Visit& visit) const {
+        const SmoothGuide& centre = guides_[pixel];
         const Frame frame(centre.normal);
-        PlaneFit fit;
-        fit.add(glm::dvec2(0.0), valueAt(index(x, y)), pooled_[index(x, y)]);
-        PlaneFit::Estimate best = fit.atCentre();
-        Interval interval;
-        interval.narrow(best);
-        for (size_t ring = 0; ring < rings_.size(); ++ring) {
-            visitRing(x, y, ring, [&](size_t neighbour) {
-                const glm::vec3 local =
-                    frame.toLocal(guides_[neighbour].position - centre.position);
-                fit.add(glm::dvec2(local) / static_cast<double>(centre.footprintMetres),
-                        valueAt(neighbour), pooled_[neighbour]);
-            });
-            const PlaneFit::Estimate next = fit.atCentre();
-            if (!interval.narrow(next)) break;
-            best = next;
-        }
-        return glm::vec3(best.value);
+        LocalFit fit;
+        const auto add = [&](size_t i) {
+            const glm::vec3 local = frame.toLocal(guides_[i].position - centre.position);
+            fit.add(glm::dvec2(local) / static_cast<double>(centre.footprintMetres), valueAt(i),
+                    variance_[i]);
+        };
+        add(pixel);
+        for (size_t disc = 0; visit(fit.atCentre()) && disc < kDiscRadii.size(); ++disc)
+            discs_.visitRing(pixel, disc, add);
     }
 
-    [[nodiscard]] size_t index(int x, int y) const {
-        return static_cast<size_t>(y) * image_.width + static_cast<size_t>(x);
+    /// Of the largest disc whose estimate agrees with all before; 0 is the pixel alone.
+    [[nodiscard]] double sizeThatAgrees(size_t pixel) const {
+        Interval interval;
+        int agreeing = -1;
+        forEachDisc(pixel, [&](const LocalFit::Estimate& estimate) {
+            const bool agrees = interval.narrow(estimate);
+            if (agrees) ++agreeing;
+            return agrees;
+        });
+        return std::max(agreeing, 0);
     }
+
+    /// Between two discs, their estimates are mixed.
+    [[nodiscard]] glm::dvec3 smoothed(size_t pixel, double size) const {
+        glm::dvec3 value(0.0);
+        double at = 0.0;
+        forEachDisc(pixel, [&](const LocalFit::Estimate& estimate) {
+            const double share = std::clamp(size - at + 1.0, 0.0, 1.0);
+            value = glm::mix(value, estimate.value, share);
+            at += 1.0;
+            return at - 1.0 < size;
+        });
+        return value;
+    }
+
     [[nodiscard]] glm::dvec3 valueAt(size_t pixel) const {
         return {image_.values[3 * pixel], image_.values[3 * pixel + 1],
                 image_.values[3 * pixel + 2]};
@@ -138,14 +118,17 @@ class Smoothing {
 
     const core::Image& image_;
     const std::vector<SmoothGuide>& guides_;
-    std::array<Ring, kRadii.size()> rings_;
-    std::vector<double> pooled_;
+    SurfaceDiscs discs_;
+    uint32_t threads_;
+    std::vector<double> variance_;  ///< of a pixel's mean channel, pooled
+    std::vector<double> size_;      ///< discs; see sizeThatAgrees
 };
 
 }  // namespace
 
-core::Image smoothIndirect(const core::Image& irradiance, const std::vector<SmoothGuide>& guides) {
-    return Smoothing(irradiance, guides).run();
+core::Image smoothIndirect(const core::Image& irradiance, const std::vector<SmoothGuide>& guides,
+                           uint32_t threads) {
+    return Smoothing(irradiance, guides, threads).run();
 }
 
 }  // namespace lampyris::reference

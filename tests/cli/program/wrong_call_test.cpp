@@ -7,7 +7,7 @@ namespace {
 TEST(WrongCall, NamesWhatIsWrong) {
     expectWrongCall(lampyris({}), "subcommand");
     expectWrongCall(lampyris({"paint"}), "paint");
-    expectWrongCall(lampyris({"reference", "cornell"}), "reference");
+    expectWrongCall(lampyris({"reference", "cornell"}), "--output");
     expectWrongCall(lampyris({"render"}), "scene");
     expectWrongCall(lampyris({"render", "cornell"}), "--output");
     expectWrongCall(lampyris({"bench"}), "name");

@@ -26,7 +26,7 @@ const std::vector<Library>& libraries() {
         {"tinygltf", {"tiny_gltf.h"}, {"assets"}},
         {"Vulkan", {"vulkan/"}, {"gpu", "execute", "window", "overlay"}},
         {"Embree", {"embree3/"}, {"accel", "reference"}},
-        {"TBB", {"tbb/", "oneapi/tbb"}, {"accel", "reference"}},
+        {"TBB", {"tbb/", "oneapi/tbb"}, {"accel"}},
         {"meshoptimizer", {"meshoptimizer.h"}, {"assets", "accel"}},
         {"GLFW", {"GLFW/"}, {"window", "overlay"}},
         {"Xlib", {"X11/"}, {"window"}},

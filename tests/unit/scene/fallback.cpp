@@ -127,10 +127,13 @@ TEST_F(Missing, SomethingEmissiveThatIsDrawnIsLightEnough) {
     EXPECT_EQ(world.count<SphereLight>(), 0u);
 }
 
-TEST_F(Missing, ALightWithoutPowerDoesNotCount) {
+TEST_F(Missing, LightsWithoutPowerStayDarkAndAreToldOf) {
+    spawnCamera(world, "mine", {0, 0, 5}, {});
     spawnLight(world, "off", {0, 5, 0}, {});
     addMissing();
-    EXPECT_EQ(world.count<SphereLight>(), 2u);
+    EXPECT_EQ(world.count<SphereLight>(), 1u);
+    EXPECT_EQ(std::count(warnings.begin(), warnings.end(), '\n'), 1);
+    EXPECT_NE(warnings.find("file.glb: its lights have no power"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,52 @@
+#include "reference/pixel.h"
+
+#include <gtest/gtest.h>
+
+#include "support/small_scenes.h"
+
+namespace lampyris::reference {
+namespace {
+
+TEST(PixelRays, GoThroughPixelCentres) {
+    const auto camera = test::lookFrom({1, 2, 3}, {1, 2, 0}, 90.0f);
+    const PixelRays rays(camera, 4, 2);
+    const Ray ray = rays.through(0, 0);
+    EXPECT_EQ(ray.origin, glm::vec3(1, 2, 3));
+    EXPECT_EQ(ray.near, camera.nearMetres);
+    // At one metre the picture is 2 m high and 4 m wide: the centre of its first pixel.
+    EXPECT_LT(glm::length(ray.direction - glm::vec3(-1.5f, 0.5f, -1.0f)), 1e-6f);
+    EXPECT_LT(glm::length(rays.through(3, 1).direction - glm::vec3(1.5f, -0.5f, -1.0f)), 1e-6f);
+    EXPECT_NEAR(rays.footprint(), 1.0f, 1e-6f);
+}
+
+TEST(LookThrough, FindsTheSurfaceItsDepthAndTheNearestDiscBeforeIt) {
+    scene::SceneSnapshot snapshot;
+    test::addInstance(snapshot, test::quad({-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}),
+                      test::lambertian(glm::vec3(0.5f)));
+    test::addLight(snapshot, {0, 0, 4}, 0.5f, 10.0f);
+    test::addLight(snapshot, {0, 0, 2}, 0.5f, 20.0f);
+    test::addLight(snapshot, {0, 0, -2}, 0.5f, 40.0f);
+    const auto scene = RayScene::build(snapshot);
+    ASSERT_TRUE(scene.ok());
+    const SphereLights lights(snapshot);
+    const Emitters emitters(scene.value());
+    const Stage stage{&scene.value(), &lights, &emitters};
+    const auto seenFrom = [&](const glm::vec3& eye, const glm::vec3& target) {
+        return lookThrough(stage, PixelRays(test::lookFrom(eye, target), 1, 1).through(0, 0));
+    };
+    const Pixel front = seenFrom({0, 0, 8}, {0, 0, 0});
+    ASSERT_TRUE(front.surface.has_value());
+    EXPECT_NEAR(front.depthMetres, 8.0f, 1e-5f);
+    EXPECT_LT(glm::length(front.toEye - glm::vec3(0, 0, 1)), 1e-6f);
+    EXPECT_EQ(front.disc, lights.radiance(0, {0, 0, -1}));
+    EXPECT_EQ(seenFrom({0, 0, 3}, {0, 0, 0}).disc, lights.radiance(1, {0, 0, -1}));
+    EXPECT_FALSE(seenFrom({0, 0, 1}, {0, 0, 0}).disc) << "only behind the wall";
+    EXPECT_FALSE(seenFrom({0, 0.1f, 4}, {0, 0.1f, 0}).disc == lights.radiance(0, {0, 0, -1}))
+        << "from inside a light its disc is not drawn";
+    const Pixel away = seenFrom({0, 0, 8}, {0, 0, 9});
+    EXPECT_FALSE(away.surface.has_value());
+    EXPECT_FALSE(away.disc.has_value());
+}
+
+}  // namespace
+}  // namespace lampyris::reference
