@@ -31,6 +31,8 @@ Contestant contestant(const BenchCall& call, const Setting& setting, const char*
     c.options.photons = setting.photons;
     c.options.radius = setting.radiusMetres;
     c.options.maxBounces = bounces;
+    c.options.gather = photon_gi::Gather::Tiles;
+    c.options.gatherDivisor = 2;
     return c;
 }
 

@@ -26,7 +26,8 @@ struct Options {
     Quality quality = Quality::Fast;
     std::optional<uint32_t> photons, maxBounces, gatherDivisor;
     std::optional<float> radius;  ///< metres
-    std::string gather = "tiles";
+    std::optional<photon_gi::Gather> gather;
+    std::optional<uint32_t> gatherRays, filterLevels, shadowDivisor, shadowRays;
     uint32_t history = 0;
     bool reseed = true;
     std::string retrace = "auto";
@@ -70,5 +71,6 @@ core::Result<void> checkOutputs(const Options& options);
 
 [[nodiscard]] const char* name(photon_gi::Pipeline pipeline);
 [[nodiscard]] const char* name(Quality quality);
+[[nodiscard]] const char* name(photon_gi::Gather gather);
 
 }  // namespace lampyris::sandbox

@@ -8,7 +8,7 @@
 
 #include "deferred/view.h"
 #include "photon_gi/tile_bin.h"
-#include "photons/photon_trace.h"
+#include "photons/irradiance_grid.h"
 #include "shared/tile_bin.h"
 
 namespace lampyris::photon_gi {
@@ -105,6 +105,8 @@ void Renderer::shrinkBatches(double share) {
 
 bool Renderer::grow(const shared::FrameCounters& counters) {
     const bool dropped = counters.photonsDropped > 0 || counters.pairsDropped > 0;
+    const bool fullGrid = counters.cellsDropped > 0;
+    if (fullGrid) room_.gridSlots = std::min(2 * room_.gridSlots, photons::kMostGridSlots);
     const bool crowded = counters.mostInTile > kMostPhotonsInTile && lastBatch_ > 1;
     if (counters.photonsDropped > 0)
         room_.photons = grown(counters.photonsNeeded, photons::kMaxPhotonCapacity);
@@ -115,7 +117,7 @@ bool Renderer::grow(const shared::FrameCounters& counters) {
                   static_cast<double>(counters.pairsNeeded) / mostPairs_,
                   static_cast<double>(counters.mostInTile) / kMostPhotonsInTile});
     if (most > 1.0) shrinkBatches(0.8 / most);
-    return dropped || crowded;
+    return dropped || crowded || fullGrid;
 }
 
 core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFrame& drawn,

@@ -25,8 +25,8 @@ std::vector<double> linearTicks(Range values) {
     const double step = roundStep((values.high - values.low) / kSteps);
     const double first = std::floor(values.low / step + kNearly);
     const double last = std::ceil(values.high / step - kNearly);
-    std::vector<double> ticks;
-    for (double i = first; i <= last; i += 1.0) ticks.push_back(i * step);
+    std::vector<double> ticks(static_cast<size_t>(last - first) + 1);
+    for (size_t i = 0; i < ticks.size(); ++i) ticks[i] = (first + static_cast<double>(i)) * step;
     return ticks;
 }
 

@@ -64,7 +64,8 @@ void drawLegend(Svg& svg, Point topLeft, const std::vector<LegendEntry>& entries
     for (size_t i = 0; i < entries.size(); ++i) {
         const LegendEntry& entry = entries[i];
         const double x = area.x.low + column * static_cast<double>(i % kLegendColumns);
-        const double y = area.y.low + 56.0 + 15.0 * static_cast<double>(i / kLegendColumns);
+        const size_t row = i / kLegendColumns;
+        const double y = area.y.low + 56.0 + 15.0 * static_cast<double>(row);
         if (entry.line)
             svg.line({x, y - 4.0}, {x + 20.0, y - 4.0}, {entry.colour, 2.0, entry.dashed});
         else

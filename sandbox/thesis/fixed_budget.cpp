@@ -85,14 +85,15 @@ core::Result<std::vector<ScalingRow>> measure(Study& study, const Truth& truth, 
     return rows;
 }
 
-Table budgetTable(const Study& study, const Truth& truth, const char* pipeline,
+Table budgetTable(const Study& study, const Truth& truth, Pipeline pipeline,
                   const std::vector<ScalingRow>& rows) {
     const auto title = fmt::format(
-        "Fixed budget (table 6.2): pipeline {}; {}; each frame is to cost what one of {} paths and "
+        "Fixed budget (table 6.2): {}; {}; each frame is to cost what one of {} paths and "
         "radius {} m costs, drawn in turn with it; errors of the last {} against {}",
-        pipeline, study.about(study.scene()), kMiddlePaths, kMiddleRadiusMetres,
-        study.size().judged, truth.about);
-    Table table = scalingTable(pipeline, title, rows);
+        describe(sandbox::settingsOf(study.contestant(pipeline, study.scene()).options)),
+        study.about(study.scene()), kMiddlePaths, kMiddleRadiusMetres, study.size().judged,
+        truth.about);
+    Table table = scalingTable(name(pipeline), title, rows);
     constexpr std::ptrdiff_t kAfterFrame = 5;
     table.header.insert(table.header.begin() + kAfterFrame, "budget ms");
     for (size_t i = 0; i < rows.size(); ++i)
@@ -103,6 +104,7 @@ Table budgetTable(const Study& study, const Truth& truth, const char* pipeline,
 
 std::vector<Affordable> storedOf(const std::vector<ScalingRow>& rows) {
     std::vector<Affordable> stored;
+    stored.reserve(rows.size());
     for (const ScalingRow& row : rows)
         stored.push_back({row.radiusMetres, row.here.at(kStored).mean});
     return stored;
@@ -110,6 +112,7 @@ std::vector<Affordable> storedOf(const std::vector<ScalingRow>& rows) {
 
 std::vector<Affordable> storedInPrint() {
     std::vector<Affordable> stored;
+    stored.reserve(table62().size());
     for (const PrintedRow& row : table62())
         stored.push_back({row.radiusMetres, static_cast<double>(row.stored)});
     return stored;
@@ -127,6 +130,7 @@ plot::Chart fitAndPlot(const std::string& name, const std::vector<Affordable>& s
                        Table& table) {
     plot::Chart chart{name, "radius (m)", "photons stored", plot::Scale::Logarithmic, {}};
     plot::Series measured{"measured", {}, false};
+    measured.points.reserve(stored.size());
     for (const Affordable& a : stored) measured.points.push_back({a.radiusMetres, a.photons});
     chart.series.push_back(measured);
     for (const Estimator& e : fitEstimators(stored)) {
@@ -165,7 +169,7 @@ core::Result<void> benchFixedBudget(const BenchCall& call) {
     std::vector<plot::StackedBars> splits;
     for (const Pipeline pipeline : {Pipeline::Thesis, Pipeline::Full}) {
         TRY(const auto rows, measure(study, truth, pipeline));
-        TRY_VOID(study.publish(budgetTable(study, truth, name(pipeline), rows)));
+        TRY_VOID(study.publish(budgetTable(study, truth, pipeline, rows)));
         curves.push_back(fitAndPlot(name(pipeline), storedOf(rows), fits));
         splits.push_back(splitOf(name(pipeline), rows));
     }

@@ -54,11 +54,13 @@ std::string panelsOf(const Shown& shown,
 
 core::Result<void> publishAll(const Study& study, const Truth& truth,
                               const std::map<std::string, std::vector<ScalingRow>>& all) {
-    for (const char* name : {"thesis", "full"}) {
-        const auto title = fmt::format(
-            "Parameter scaling (table 6.1): pipeline {}; {}; errors of the last {} against {}",
-            name, study.about(study.scene()), study.size().judged, truth.about);
-        TRY_VOID(study.publish(scalingTable(name, title, all.at(name))));
+    for (const Pipeline pipeline : {Pipeline::Thesis, Pipeline::Full}) {
+        const Options& options = study.contestant(pipeline, study.scene()).options;
+        const auto title =
+            fmt::format("Parameter scaling (table 6.1): {}; {}; errors of the last {} against {}",
+                        describe(sandbox::settingsOf(options)), study.about(study.scene()),
+                        study.size().judged, truth.about);
+        TRY_VOID(study.publish(scalingTable(name(pipeline), title, all.at(name(pipeline)))));
     }
     for (const Shown& shown : shownFigures())
         TRY_VOID(study.publishPlot(shown.name, panelsOf(shown, all)));

@@ -94,6 +94,11 @@ std::string Study::about(const std::string& scene) const {
                        size_.frames, machine_["device"].get<std::string>());
 }
 
+std::string describe(const photon_gi::Settings& settings) {
+    if (settings.pipeline != Pipeline::Full) return name(settings.pipeline);
+    return fmt::format("{}, --gather {}", name(settings.pipeline), name(settings.gather));
+}
+
 Json settingsOf(const std::vector<Contestant>& contestants) {
     Json all = Json::array();
     for (const Contestant& c : contestants) {

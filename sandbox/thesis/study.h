@@ -75,6 +75,9 @@ class Study {
     RowStore store_;
 };
 
+/// "full, --gather final"
+[[nodiscard]] std::string describe(const photon_gi::Settings& settings);
+
 /// The contestants' settings, as rows are kept under.
 [[nodiscard]] nlohmann::json settingsOf(const std::vector<Contestant>& contestants);
 
