@@ -157,14 +157,19 @@ void addFrameOptions(CLI::App& app, Options& o) {
 }
 
 void addDisplayOptions(CLI::App& app, core::DisplayTransform& display) {
-    app.add_option("--exposure", display.exposureEv, "EV; display only (0)")
+    app.add_option("--exposure", display.exposureEv,
+                   fmt::format("EV; display only ({:g})", display.exposureEv))
         ->check(finite(-100.0, 100.0));
     addChoice(app, "--tonemap", display.tonemap, kTonemaps, "display only (clip)");
 }
 
-void addViewOptions(CLI::App& app, Options& o) {
+void addCameraOptions(CLI::App& app, Options& o) {
     app.add_option("--camera", o.camera, "by name (the first)")->type_name("NAME");
     app.add_option("--time", o.time, "seconds, of the first frame (0)")->check(finite(-1e6, 1e6));
+}
+
+void addViewOptions(CLI::App& app, Options& o) {
+    addCameraOptions(app, o);
     addDisplayOptions(app, o.display);
     app.add_option("--report", o.report, "write measurements")->type_name("FILE.json");
 }

@@ -50,6 +50,8 @@ void addSizeOptions(CLI::App& app, Options& options);
 void addFrameOptions(CLI::App& app, Options& options);
 /// --exposure, --tonemap.
 void addDisplayOptions(CLI::App& app, core::DisplayTransform& display);
+/// --camera, --time.
+void addCameraOptions(CLI::App& app, Options& options);
 /// --camera, --time, --exposure, --tonemap, --report.
 void addViewOptions(CLI::App& app, Options& options);
 /// Those of addViewOptions, --timestep, --graph, --trace.

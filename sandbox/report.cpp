@@ -16,32 +16,6 @@ Json toJson(const glm::dvec3& rgb) {
     return Json::array({rgb.r, rgb.g, rgb.b});
 }
 
-Json settingsJson(const Options& o) {
-    const photon_gi::Settings s = settingsOf(o);
-    return {{"quality", name(o.quality)},
-            {"photons", s.photonPaths},
-            {"radius", s.radiusMetres},
-            {"max_bounces", s.maxBounces},
-            {"gather", name(s.gather)},
-            {"gather_divisor", s.gatherDivisor},
-            {"gather_rays", s.gatherRays},
-            {"shadow_divisor", s.shadowDivisor},
-            {"shadow_rays", s.shadowRays},
-            {"filter_levels", s.filterLevels},
-            {"history", s.history},
-            {"reseed", s.reseed},
-            {"retrace", o.retrace},
-            {"light_cutoff", s.lightCutoff},
-            {"seed", s.seed},
-            {"camera", o.camera},
-            {"time", o.time},
-            {"timestep", o.timestep.value_or(0.0)},
-            {"warmup", o.warmup.value_or(0)},
-            {"exposure", o.display.exposureEv},
-            {"tonemap", o.display.tonemap == core::Tonemap::Filmic ? "filmic" : "clip"},
-            {"output_node", o.outputNode}};
-}
-
 Json nodesJson(const FrameSeries& series) {
     Json nodes = Json::array();
     for (const NodeSummary& node : series.summariseNodes())
@@ -75,6 +49,32 @@ Json accelJson(const accel::AccelCounts& counts, const Measured& measured) {
 }
 
 }  // namespace
+
+Json settingsJson(const Options& o) {
+    const photon_gi::Settings s = settingsOf(o);
+    return {{"quality", name(o.quality)},
+            {"photons", s.photonPaths},
+            {"radius", s.radiusMetres},
+            {"max_bounces", s.maxBounces},
+            {"gather", name(s.gather)},
+            {"gather_divisor", s.gatherDivisor},
+            {"gather_rays", s.gatherRays},
+            {"shadow_divisor", s.shadowDivisor},
+            {"shadow_rays", s.shadowRays},
+            {"filter_levels", s.filterLevels},
+            {"history", s.history},
+            {"reseed", s.reseed},
+            {"retrace", o.retrace},
+            {"light_cutoff", s.lightCutoff},
+            {"seed", s.seed},
+            {"camera", o.camera},
+            {"time", o.time},
+            {"timestep", o.timestep.value_or(0.0)},
+            {"warmup", o.warmup.value_or(0)},
+            {"exposure", o.display.exposureEv},
+            {"tonemap", o.display.tonemap == core::Tonemap::Filmic ? "filmic" : "clip"},
+            {"output_node", o.outputNode}};
+}
 
 void Measured::add(LoopFrame frame) {
     series.add(frame.outcome.statistics);

@@ -15,6 +15,9 @@ TEST(WrongCall, NamesWhatIsWrong) {
     expectWrongCall(lampyris({"info", "--size", "1x1"}), "--size");
     expectWrongCall(lampyris({"bench", "binning", "--photons", "50"}), "--photons");
     expectWrongCall(lampyris({"bench", "nodes", "--pipeline", "direct"}), "--pipeline");
+    expectWrongCall(lampyris({"bench", "nodes", "--spp", "4"}), "--spp");
+    expectWrongCall(lampyris({"bench", "parameter-scaling", "--radius", "1"}), "--radius");
+    expectWrongCall(lampyris({"bench", "scene-complexity", "--reference", "a.exr"}), "--reference");
 }
 
 TEST(WrongCall, LeavesNoFile) {
