@@ -16,6 +16,7 @@ Contestant contestant(const BenchCall& call, Pipeline pipeline) {
     c.options.scene = "cornell";
     c.options.pipeline = pipeline;
     c.options.size = call.options.size.value_or(graph::Extent{640, 360});
+    c.options.photons = call.options.photons.value_or(1000);
     if (pipeline == Pipeline::Thesis) c.options.maxBounces.reset();
     return c;
 }
