@@ -33,8 +33,8 @@ PathTracer::Seen PathTracer::look(const Surface& surface, const glm::vec3& toEye
 
 LightSplit PathTracer::sample(const Seen& seen, const OwenSobol& numbers) {
     LightSplit split;
-    const Received direct = sphereLight(stage_, seen.lit, numbers.group(groupOf(0, Use::Light)),
-                                        numbers, 0, rays_);
+    const Received direct =
+        sphereLight(stage_, seen.lit, numbers.group(groupOf(0, Use::Light)), numbers, 0, rays_);
     split.irradianceDirect = direct.irradiance;
     split.specularDirect = direct.specular;
     if (maxBounces_ == 0) return split;
@@ -81,9 +81,8 @@ glm::vec3 PathTracer::arriving(Ray ray, float density, const OwenSobol& numbers)
                                   stage_.scene->clearance());
         const glm::vec3 direction = reflector.sample(glm::vec3(xi));
         density = reflector.density(direction);
-        sum += throughput *
-               reflected(reflector,
-                         sphereLight(stage_, reflector, xiLight, numbers, bounce, rays_));
+        sum += throughput * reflected(reflector, sphereLight(stage_, reflector, xiLight, numbers,
+                                                             bounce, rays_));
         sum += throughput *
                reflected(reflector, emitterLight(stage_, reflector, numbers, bounce, rays_));
         if (bounce == maxBounces_ && stage_.emitters->empty()) return sum;

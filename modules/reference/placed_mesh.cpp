@@ -55,6 +55,22 @@ glm::vec3 MeshPoint::positionWorld() const {
     return mix(placed->positionsWorld, glm::vec3(0.0f));
 }
 
+void MeshPoint::keepFromEdges(float metres) {
+    // Of triangles that are lower than a thousand times the distance, this sees but a part: there
+    // are no walls between such.
+    constexpr float kNear = 1e-3f;
+    if (std::min({weights.x, weights.y, weights.z}) >= kNear) return;
+    const auto& p = placed->positionsWorld;
+    const float twiceArea = glm::length(acrossWorld());
+    if (!(twiceArea > 0.0f)) return;
+    for (int i = 0; i < 3; ++i) {
+        const auto next = static_cast<size_t>((i + 1) % 3), last = static_cast<size_t>((i + 2) % 3);
+        const float height = twiceArea / glm::length(p[corners[last]] - p[corners[next]]);
+        weights[i] = std::max(weights[i], std::min(metres / height, 1.0f / 3.0f));
+    }
+    weights /= weights.x + weights.y + weights.z;
+}
+
 glm::vec3 MeshPoint::acrossWorld() const {
     const auto& p = placed->positionsWorld;
     const glm::vec3 across =

@@ -37,6 +37,9 @@ struct MeshPoint {
                weights.z * attribute[corners[2]];
     }
     [[nodiscard]] glm::vec3 positionWorld() const;
+    /// Moves a point that is nearer to an edge than that: by rounding it may lie beyond the wall
+    /// that meets the triangle there.
+    void keepFromEdges(float metres);
     /// Across the triangle, to its front side; its length is twice the area in square metres.
     [[nodiscard]] glm::vec3 acrossWorld() const;
     [[nodiscard]] glm::vec2 texcoords(uint32_t set) const;

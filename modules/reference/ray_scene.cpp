@@ -19,6 +19,10 @@ constexpr const char* kDeviceConfig = "threads=1";
 // ten roundings. [chosen]
 constexpr float kClearance = 3e-6f;
 
+// Clearances from a triangle's edges at which rays start: a ray that leaves a surface at a
+// clearance is then inside corners of 15 degrees and more. [chosen]
+constexpr float kFromEdges = 4.0f;
+
 /// For each of up to N rays that hit a triangle: does it stand there?
 void cutOut(const RTCFilterFunctionNArguments* args) {
     const auto& placed = *static_cast<const PlacedMesh*>(args->geometryUserPtr);
@@ -140,7 +144,9 @@ bool RayScene::blocked(const Ray& ray) const {
 }
 
 MeshPoint RayScene::pointAt(const RayHit& hit) const {
-    return {parts_->meshes[hit.instance], hit.primitive, hit.u, hit.v};
+    MeshPoint point(parts_->meshes[hit.instance], hit.primitive, hit.u, hit.v);
+    point.keepFromEdges(kFromEdges * parts_->clearance);
+    return point;
 }
 
 const scene::SceneSnapshot& RayScene::snapshot() const {

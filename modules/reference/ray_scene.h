@@ -39,6 +39,7 @@ class RayScene {
     [[nodiscard]] std::optional<RayHit> closest(const Ray& ray) const;
     [[nodiscard]] bool blocked(const Ray& ray) const;
 
+    /// The point hit, kept off its triangle's edges by some clearances.
     [[nodiscard]] MeshPoint pointAt(const RayHit& hit) const;
     [[nodiscard]] const scene::SceneSnapshot& snapshot() const;
     /// Nothing where the instance has no triangles in the world.

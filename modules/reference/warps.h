@@ -36,10 +36,10 @@ struct Frame {
     // Minimax polynomials of the Cephes library (Moshier 1989).
     const float sine =
         x + x * x2 * (-1.6666654611e-1f + x2 * (8.3321608736e-3f - x2 * 1.9515295891e-4f));
-    const float cosine = 1.0f - 0.5f * x2 +
-                         x2 * x2 *
-                             (4.166664568298827e-2f +
-                              x2 * (-1.388731625493765e-3f + x2 * 2.443315711809948e-5f));
+    const float cosine =
+        1.0f - 0.5f * x2 +
+        x2 * x2 *
+            (4.166664568298827e-2f + x2 * (-1.388731625493765e-3f + x2 * 2.443315711809948e-5f));
     const glm::vec2 first = (quarter & 1) != 0 ? glm::vec2(-sine, cosine) : glm::vec2(cosine, sine);
     return (quarter & 2) != 0 ? -first : first;
 }

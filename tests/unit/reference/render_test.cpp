@@ -141,6 +141,26 @@ TEST(Render, AWallShadowsBothWays) {
     }
 }
 
+TEST(Render, PixelsInCornersAreNotBlack) {
+    // Rays through pixel centres that meet a room's edges and corners, up to rounding.
+    scene::SceneSnapshot snapshot;
+    addInstance(snapshot, boxFromInside(5.0f), lambertian(glm::vec3(0.5f)));
+    addLight(snapshot, {0.0f, 0.0f, 0.0f}, 0.5f, 1000.0f);
+    constexpr uint32_t kSide = 49;
+    const float slope = kSide / (kSide - 1.0f);
+    for (int turn = 0; turn < 6; ++turn) {
+        const float angle = 0.5f * math::kPi * static_cast<float>(turn);
+        const auto camera = lookFrom({0, 0, 0}, {std::sin(angle), 0, std::cos(angle)},
+                                     glm::degrees(2.0f * std::atan(slope)));
+        const Rendered r = rendered(snapshot, camera, settingsFor(kSide, kSide, 8));
+        for (uint32_t i = 0; i < kSide; ++i)
+            for (const uint32_t j : {0u, kSide - 1}) {
+                ASSERT_GT(r.irradianceDirect.at(i, j, 0), 0.1f) << i << "," << j;
+                ASSERT_GT(r.irradianceDirect.at(j, i, 0), 0.1f) << j << "," << i;
+            }
+    }
+}
+
 TEST(Render, WhatIsCutOutCastsNoShadow) {
     // A lid between the light and the floor.
     const auto lit = [](float alpha) {
