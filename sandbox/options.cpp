@@ -17,6 +17,7 @@ constexpr uint32_t kMaxSide = 65535;   // what two 16-bit halves of a pixel's ad
 constexpr uint32_t kMaxBounces = 255;  // [chosen] far past what roulette lets live
 constexpr uint32_t kMaxGatherDivisor = 16;
 constexpr uint32_t kMaxGatherRays = 64;
+constexpr uint32_t kMaxHistory = 4096;
 constexpr uint32_t kMaxShadowRays = 31;
 constexpr uint32_t kMaxFilterLevels = 5;
 
@@ -36,11 +37,12 @@ struct Preset {
     uint32_t gatherDivisor;
     uint32_t gatherRays;
     uint32_t filterLevels;
-    uint32_t shadowDivisor = 4, shadowRays = 4;
+    uint32_t gridColumns;
+    uint32_t shadowDivisor = 4, shadowRays = 8;
 };
-constexpr Preset kTiles{1000, 1.0f, 2, 0, 0};  // the Thesis's
-constexpr Preset kFast{5000, 1.0f, 8, 4, 1};
-constexpr Preset kFine{20000, 1.0f, 4, 8, 2};
+constexpr Preset kTiles{1000, 1.0f, 2, 0, 0, 0};  // the Thesis's
+constexpr Preset kFast{5000, 1.0f, 8, 4, 2, 8};
+constexpr Preset kFine{20000, 1.0f, 4, 8, 2, 16};
 
 template <typename T>
 std::string namesOf(const std::map<std::string, T>& choices) {
@@ -116,9 +118,11 @@ void addFrameOptions(CLI::App& app, Options& o) {
               "full, the yardstick thesis, or direct light alone (full)");
     addChoice(app, "--quality", o.quality, kQualities,
               "preset of full for --photons, --radius and --gather-divisor (fast)");
-    app.add_option("--photons", o.photons, "paths emitted a frame (5000; fine 20000; with tiles 1000)")
+    app.add_option("--photons", o.photons,
+                   "paths emitted a frame (5000; fine 20000; with tiles 1000)")
         ->check(CLI::Range(1u, 0xffffffffu));
-    app.add_option("--radius", o.radius, "metres that a photon reaches; the final gather's cells are half as wide (1.0)")
+    app.add_option("--radius", o.radius,
+                   "metres that a photon reaches; the final gather's cells are half as wide (1.0)")
         ->check(finite(1e-6, 1e6));
     app.add_option("--max-bounces", o.maxBounces,
                    "a path hits at most one surface more; 0 is direct light (full 8, thesis 1)")
@@ -128,16 +132,18 @@ void addFrameOptions(CLI::App& app, Options& o) {
               "(full: final, thesis: tiles)");
     app.add_option("--gather-rays", o.gatherRays, "final gather: rays a texel (4; fine 8)")
         ->check(CLI::Range(1u, kMaxGatherRays));
-    app.add_option("--filter-levels", o.filterLevels,
-                   "final gather: levels of the filter (1; fine 2)")
+    app.add_option("--filter-levels", o.filterLevels, "final gather: levels of the filter (2)")
         ->check(CLI::Range(0u, kMaxFilterLevels));
-    app.add_option("--gather-divisor", o.gatherDivisor, "low resolution, an axis (8; fine 4; with tiles 2)")
+    app.add_option("--gather-divisor", o.gatherDivisor,
+                   "low resolution, an axis (8; fine 4; with tiles 2)")
         ->check(CLI::Range(1u, kMaxGatherDivisor));
     app.add_option("--shadow-divisor", o.shadowDivisor, "low resolution of shadows, an axis (4)")
         ->check(CLI::Range(1u, kMaxGatherDivisor));
-    app.add_option("--shadow-rays", o.shadowRays, "a light and low-resolution texel (4)")
+    app.add_option("--shadow-rays", o.shadowRays, "a light and low-resolution texel (8)")
         ->check(CLI::Range(1u, kMaxShadowRays));
-    app.add_option("--history", o.history, "frames kept: 0, as there is no history yet (0)");
+    app.add_option("--history", o.history,
+                   "final gather: frames in the mean while nothing changes; 0 is off (32)")
+        ->check(CLI::Range(0u, kMaxHistory));
     addChoice(app, "--reseed", o.reseed, kSwitch, "draw a frame's paths anew every frame (on)");
     app.add_option("--retrace", o.retrace, "whether paths that cannot have changed are kept (auto)")
         ->type_name("auto|all")
@@ -183,7 +189,9 @@ core::Result<void> checkCall(const Options& o) {
                            *o.maxBounces);
     if (o.pipeline == Pipeline::Thesis && o.gather == photon_gi::Gather::Final)
         return core::error("--pipeline thesis gathers from tiles; --gather final needs full");
-    if (o.history > 0) return core::error("--history {}: there is no history yet", o.history);
+    if (o.history.value_or(0) > 0 &&
+        (o.pipeline != Pipeline::Full || o.gather == photon_gi::Gather::Tiles))
+        return core::error("--history {} is of full's final gather", *o.history);
     const std::array files{o.output, o.report, o.graph, o.trace};
     for (size_t i = 0; i < files.size(); ++i)
         for (size_t j = 0; j < i; ++j)
@@ -221,8 +229,8 @@ core::Result<void> checkOutputs(const Options& o) {
 
 photon_gi::Settings settingsOf(const Options& o) {
     const bool thesis = o.pipeline == Pipeline::Thesis;
-    const auto gather = thesis ? photon_gi::Gather::Tiles
-                               : o.gather.value_or(photon_gi::Gather::Final);
+    const auto gather =
+        thesis ? photon_gi::Gather::Tiles : o.gather.value_or(photon_gi::Gather::Final);
     const Preset preset = gather == photon_gi::Gather::Tiles ? kTiles
                           : o.quality == Quality::Fine       ? kFine
                                                              : kFast;
@@ -232,6 +240,8 @@ photon_gi::Settings settingsOf(const Options& o) {
     s.radiusMetres = o.radius.value_or(preset.radiusMetres);
     s.gatherDivisor = o.gatherDivisor.value_or(preset.gatherDivisor);
     s.gather = gather;
+    s.history = gather == photon_gi::Gather::Final ? o.history.value_or(32) : 0;
+    s.gridColumns = preset.gridColumns;
     s.gatherRays = o.gatherRays.value_or(preset.gatherRays);
     s.shadowDivisor = o.shadowDivisor.value_or(preset.shadowDivisor);
     s.shadowRays = o.shadowRays.value_or(preset.shadowRays);

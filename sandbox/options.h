@@ -28,7 +28,7 @@ struct Options {
     std::optional<float> radius;  ///< metres
     std::optional<photon_gi::Gather> gather;
     std::optional<uint32_t> gatherRays, filterLevels, shadowDivisor, shadowRays;
-    uint32_t history = 0;
+    std::optional<uint32_t> history;
     bool reseed = true;
     std::string retrace = "auto";
     float lightCutoff = 0.001f;

@@ -62,7 +62,7 @@ Json settingsJson(const Options& o) {
             {"shadow_divisor", s.shadowDivisor},
             {"shadow_rays", s.shadowRays},
             {"filter_levels", s.filterLevels},
-            {"history", o.history},
+            {"history", s.history},
             {"reseed", s.reseed},
             {"retrace", o.retrace},
             {"light_cutoff", s.lightCutoff},

@@ -59,6 +59,24 @@ CoarseIrradiance addFinalGather(graph::Frame& frame, const deferred::Surface& su
     return coarse;
 }
 
+CoarseIrradiance addFinalHistory(graph::Frame& frame, const deferred::Surface& surface,
+                                 const CoarseIrradiance& newest, const GatherPast& past,
+                                 const FinalGatherSettings& settings) {
+    auto node = frame.compute("gather/history", shaders::finalHistory);
+    bindCoarse(node, newest);
+    node.uniformData(shared::SLOT_VIEW, surface.view)
+        .uniformData(shared::SLOT_HISTORY_PARAMS,
+                     shared::HistoryParams{past.worldToClipBefore, past.frames, 0, 0, 0})
+        .sample(shared::SLOT_HISTORY_BEFORE, past.mean.previous)
+        .sample(shared::SLOT_HISTORY_GUIDE_BEFORE, past.guide.previous)
+        .push(finalParams(surface.view, settings));
+    CoarseIrradiance mean;
+    mean.irradiance = node.write(shared::SLOT_FINAL_COARSE, past.mean.current);
+    mean.guide = node.write(shared::SLOT_FINAL_GUIDE, past.guide.current);
+    node.dispatchOver(coarseSize(surface.view, settings.divisor));
+    return mean;
+}
+
 CoarseIrradiance addFinalFilter(graph::Frame& frame, const deferred::Surface& surface,
                                 CoarseIrradiance coarse, const FinalGatherSettings& settings) {
     const graph::Extent size = coarseSize(surface.view, settings.divisor);

@@ -18,7 +18,7 @@ struct FinalGatherSettings {
 
 /// Irradiance at low resolution, and where its texels stand.
 struct CoarseIrradiance {
-    graph::Image irradiance{};  ///< RGBA16F, W/m², a texel for divisor × divisor pixels
+    graph::Image irradiance{};  ///< W/m², a texel for divisor × divisor pixels; a = frames in it
     graph::Image guide{};       ///< RGBA32Uint: position as float bits, normal octahedral
 };
 
@@ -32,6 +32,21 @@ struct GatherWorld {
 [[nodiscard]] CoarseIrradiance addFinalGather(graph::Frame& frame, const deferred::Surface& surface,
                                               const GatherWorld& world,
                                               const FinalGatherSettings& settings);
+
+/// What earlier frames of the same low resolution left.
+struct GatherPast {
+    graph::HistoryImage mean;   ///< RGBA32F: irradiance, frames in it
+    graph::HistoryImage guide;  ///< as CoarseIrradiance::guide
+    glm::mat4 worldToClipBefore{1.0f};
+    uint32_t frames = 0;  ///< most that the mean may hold besides this one; 0: it begins anew
+};
+
+/// The mean over frames at each texel's place in the world. Writes both images of `past`.
+[[nodiscard]] CoarseIrradiance addFinalHistory(graph::Frame& frame,
+                                               const deferred::Surface& surface,
+                                               const CoarseIrradiance& newest,
+                                               const GatherPast& past,
+                                               const FinalGatherSettings& settings);
 
 [[nodiscard]] CoarseIrradiance addFinalFilter(graph::Frame& frame, const deferred::Surface& surface,
                                               CoarseIrradiance coarse,

@@ -28,8 +28,8 @@ graph::Buffer clearedCounters(graph::Frame& f) {
 
 /// Photons of one batch after the other: traced, binned, gathered; their irradiances add up.
 Indirect addTileGather(graph::Frame& f, const FrameInputs& in, const Settings& s,
-                     const Capacities& room, const deferred::Surface& surface,
-                     const deferred::TileBounds& bounds, DrawnFrame& out) {
+                       const Capacities& room, const deferred::Surface& surface,
+                       const deferred::TileBounds& bounds, DrawnFrame& out) {
     const bool thesis = s.pipeline == Pipeline::Thesis;
     const GatherSettings gather{s.radiusMetres, s.gatherDivisor};
     const photons::TraceSettings trace{s.maxBounces, !thesis, in.seed, room.photons};
@@ -49,6 +49,20 @@ Indirect addTileGather(graph::Frame& f, const FrameInputs& in, const Settings& s
     return {addUpsample(f, surface, gathered, edges, gather), edges};
 }
 
+CoarseIrradiance addHistory(graph::Frame& f, const FrameInputs& in, const Settings& s,
+                            const deferred::Surface& surface, const CoarseIrradiance& newest,
+                            const FinalGatherSettings& gather) {
+    if (s.history == 0) return newest;
+    GatherPast past;
+    auto guide = historyMean(in.view, s);
+    guide.format = graph::Format::RGBA32Uint;
+    past.mean = f.history(kHistoryMean, historyMean(in.view, s), in.past.known);
+    past.guide = f.history("gather guide history", guide, in.past.known);
+    past.worldToClipBefore = in.past.worldToClip;
+    past.frames = in.past.known && in.past.same ? s.history - 1 : 0;
+    return addFinalHistory(f, surface, newest, past, gather);
+}
+
 /// Photons into a grid in the world; a few rays a texel look it up.
 Indirect addGridGather(graph::Frame& f, const FrameInputs& in, const Settings& s,
                        const Capacities& room, const deferred::Surface& surface, DrawnFrame& out) {
@@ -63,11 +77,11 @@ Indirect addGridGather(graph::Frame& f, const FrameInputs& in, const Settings& s
         cells = photons::addToGrid(f, cells, photons, in.scene, in.accel);
         out.ledgers.push_back(photons.ledger);
     }
-    const GatherWorld world{in.scene, in.accel,
-                            photons::finishGrid(f, cells, in.scene, in.accel)};
+    const GatherWorld world{in.scene, in.accel, photons::finishGrid(f, cells, in.scene, in.accel)};
     const FinalGatherSettings gather{s.gatherDivisor, s.gatherRays, s.filterLevels, in.seed};
     const auto rough = addFinalGather(f, surface, world, gather);
-    const auto smooth = addFinalFilter(f, surface, rough, gather);
+    const auto mean = addHistory(f, in, s, surface, rough, gather);
+    const auto smooth = addFinalFilter(f, surface, mean, gather);
     const auto joined = addFinalUpsample(f, surface, world, smooth, cells.counters, gather);
     out.counters = joined.edges.counters;
     return {joined.irradiance, joined.edges};
@@ -84,6 +98,10 @@ deferred::DirectLight addDirect(graph::Frame& f, const FrameInputs& in, const Se
 }
 
 }  // namespace
+
+graph::ImageDesc historyMean(const shared::View& view, const Settings& settings) {
+    return {graph::Format::RGBA32Float, coarseSize(view, settings.gatherDivisor)};
+}
 
 DrawnFrame drawFrame(graph::Frame& f, const FrameInputs& in, const Settings& s,
                      const Capacities& room) {

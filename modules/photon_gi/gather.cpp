@@ -16,8 +16,18 @@ constexpr uint32_t kMostGroups = 65535;
 shared::GatherParams gatherParams(const shared::View& view, const GatherSettings& settings,
                                   float powerScale) {
     const graph::Extent coarse = coarseSize(view, settings.divisor);
-    return {settings.radiusMetres, powerScale, settings.divisor, coarse.width, coarse.height, 0, 0,
-            kNormalLimit, 0, 0, 0, 0};
+    return {settings.radiusMetres,
+            powerScale,
+            settings.divisor,
+            coarse.width,
+            coarse.height,
+            0,
+            0,
+            kNormalLimit,
+            0,
+            0,
+            0,
+            0};
 }
 
 void bindEstimate(graph::ComputeNode& node, const deferred::Surface& surface,
@@ -99,8 +109,8 @@ EdgeList addEdges(graph::Frame& frame, const deferred::Surface& surface, graph::
 graph::Buffer addEdgeGroups(graph::Frame& frame, graph::Buffer counters) {
     auto node = frame.compute("gather/groups", shaders::gatherGroups);
     node.read(shared::SLOT_GATHER_COUNTERS, counters);
-    const graph::Buffer groups = node.write(shared::SLOT_GATHER_GROUPS,
-                                            frame.buffer("edge groups", {3 * sizeof(uint32_t)}));
+    const graph::Buffer groups =
+        node.write(shared::SLOT_GATHER_GROUPS, frame.buffer("edge groups", {3 * sizeof(uint32_t)}));
     node.dispatch(1);
     return groups;
 }

@@ -87,7 +87,7 @@ IrradianceGrid finishGrid(graph::Frame& frame, const GridCells& cells,
 
     const uint64_t bytes = (uint64_t{cells.params.slotMask} + 1) * sizeof(shared::uvec4);
     auto clear = frame.transfer("irradiance_grid/clear_look_up");
-    IrradianceGrid grid{clear.fill(frame.buffer("grid look-up", {bytes}), 0), cells.params};
+    IrradianceGrid grid{clear.fill(frame.buffer("grid look-up", {bytes}), 0), table, cells.params};
     auto node = frame.compute("irradiance_grid/resolve", shaders::irradianceGridResolve);
     node.uniformData(shared::SLOT_GRID_PARAMS, cells.params)
         .read(shared::SLOT_GRID_TABLE, table)

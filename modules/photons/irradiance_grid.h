@@ -28,6 +28,7 @@ struct GridCells {
 
 struct IrradianceGrid {
     graph::Buffer lookUp{};  ///< texels RGBA32Uint, one a slot
+    graph::Buffer table{};   ///< sums and areas that it was made from
     shared::GridParams params{};
 };
 

@@ -57,11 +57,12 @@ PhotonList addPhotonTrace(graph::Frame& frame, const residency::SceneHandles& sc
         .texels(shared::SLOT_EMITTER_TRIANGLES, scene.emitterTriangles, graph::Format::RGBA32Float)
         .storageData(shared::SLOT_PATH_RANGES, split.ranges.data(),
                      split.ranges.size() * sizeof(shared::PathRange))
-        .push(shared::TraceParams{
-            batch.firstPath, batch.pathCount, static_cast<uint32_t>(split.ranges.size()), perPath,
-            settings.maxBounces, settings.firstHits ? 0u : 1u,
-            settings.maxBounces + (settings.firstHits ? 0u : 1u),
-            settings.roulette ? kRouletteFrom : 0xffffffffu, settings.seed, split.powerScale, 0, 0});
+        .push(shared::TraceParams{batch.firstPath, batch.pathCount,
+                                  static_cast<uint32_t>(split.ranges.size()), perPath,
+                                  settings.maxBounces, settings.firstHits ? 0u : 1u,
+                                  settings.maxBounces + (settings.firstHits ? 0u : 1u),
+                                  settings.roulette ? kRouletteFrom : 0xffffffffu, settings.seed,
+                                  split.powerScale, 0, 0});
     const graph::Buffer staged =
         trace.write(shared::SLOT_STAGED_PHOTONS, frame.buffer("staged photons", {stagedBytes}));
     const graph::Buffer counts =

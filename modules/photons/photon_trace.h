@@ -17,8 +17,8 @@ struct TraceSettings {
     bool roulette = true;         ///< past the first bounces
     uint32_t seed = 1;            ///< of this frame
     uint32_t photonCapacity = 0;  ///< of the store, in photons
-    bool firstHits = false;       ///< keeps hits 0 to B − 1, direct light among them, for a final gather
-                                  ///< that is itself the last bounce; else hits 1 to B
+    bool firstHits = false;  ///< keeps hits 0 to B − 1, direct light among them, for a final gather
+                             ///< that is itself the last bounce; else hits 1 to B
 };
 
 /// The share of the frame's paths that is traced, binned and gathered in one go. What a shader may

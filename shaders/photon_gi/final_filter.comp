@@ -1,4 +1,5 @@
-// One level of an edge-stopping à-trous filter over low-resolution irradiance [Dammertz et al. 2010].            [F3]
+// One level of an edge-stopping à-trous filter over low-resolution irradiance [Dammertz et al. 2010]. The levels past
+// the first fade as frames come together in the mean (a): noise falls, and blur would remain.                     [F3]
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/gather_grid.glsl"
@@ -18,6 +19,8 @@ void main() {
     Place own = placeOf(texelFetch(guide, texel, 0));
     float z = -(view.worldToView * vec4(own.position, 1.0)).z;
     float spacing = pixelFootprint(z) * float(params.divisor * params.step);
+    vec4 middle = texelFetch(irradiance, texel, 0);
+    float others = params.step > 1u ? 1.0 / max(middle.a, 1.0) : 1.0;
     vec3 sum = vec3(0.0);
     float total = 0.0;
     for (int y = -2; y <= 2; ++y)
@@ -28,8 +31,9 @@ void main() {
             float weight = kSpline[abs(x)] * kSpline[abs(y)] *
                            jointWeight(own.position, own.normal, placeOf(texelFetch(guide, at, 0)), spacing);
             if (!inside) weight = 0.0;
+            if (x != 0 || y != 0) weight *= others;
             sum += weight * texelFetch(irradiance, at, 0).rgb;
             total += weight;
         }
-    imageStore(filtered, texel, vec4(total > 0.0 ? sum / total : vec3(0.0), 1.0));
+    imageStore(filtered, texel, vec4(total > 0.0 ? sum / total : vec3(0.0), middle.a));
 }
