@@ -1,12 +1,14 @@
 /// \file The project's measurements, a function each; `lampyris bench NAME` calls one.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "core/result.h"
-#include "frame_loop.h"
-#include "frame_series.h"
 #include "options.h"
+#include "race.h"
 
 namespace lampyris::sandbox {
 
@@ -14,6 +16,10 @@ struct BenchCall {
     Options options;            ///< what is left empty is the benchmark's own choice
     std::filesystem::path out;  ///< a folder; empty: print alone
     bool quick = false;         ///< smaller and fewer
+    // Of the Thesis' tables alone:
+    std::string scene;                ///< empty: the table's own
+    std::filesystem::path reference;  ///< an EXR file that errors are measured against; or empty
+    std::optional<uint32_t> samplesPerPixel;  ///< of the reference that is rendered instead
 };
 
 core::Result<void> benchNodes(
@@ -22,18 +28,10 @@ core::Result<void> benchBinning(const BenchCall& call);  ///< photons to tiles: 
 core::Result<void> benchRays(const BenchCall& call);     ///< the shader's traversal beside Embree's
 core::Result<void> benchAccel(const BenchCall& call);    ///< BVH builds and memory, a scene each
 
-/// One of several ways of drawing, measured turn by turn with the others.
-struct Contestant {
-    std::string name;
-    Options options;
-    FrameSeries series;
-    photon_gi::FrameReport report;  ///< of the last frame
-    graph::Extent size;
-    std::string device;
-};
-
-/// Draws `warmup` frames and then `frames` of each, turn by turn, so that a machine that slows down
-/// slows all. Each has a device of its own: nothing is made anew between turns.
-core::Result<void> race(std::vector<Contestant>& contestants, uint32_t warmup, uint32_t frames);
+// The Thesis' evaluation again; see sandbox/thesis/README.md.
+core::Result<void> benchParameterScaling(const BenchCall& call);
+core::Result<void> benchFixedBudget(const BenchCall& call);
+core::Result<void> benchSceneComplexity(const BenchCall& call);
+core::Result<void> benchSystemComparison(const BenchCall& call);
 
 }  // namespace lampyris::sandbox

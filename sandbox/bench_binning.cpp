@@ -23,7 +23,7 @@ struct Setting {
 
 Contestant contestant(const BenchCall& call, const Setting& setting, const char* name,
                       Pipeline pipeline, uint32_t bounces) {
-    Contestant c{name, call.options, {}, {}, {}, {}};
+    Contestant c{name, call.options};
     const graph::Extent size = call.quick ? graph::Extent{960, 540} : graph::Extent{1920, 1080};
     c.options.scene = "cornell";
     c.options.pipeline = pipeline;
@@ -31,6 +31,8 @@ Contestant contestant(const BenchCall& call, const Setting& setting, const char*
     c.options.photons = setting.photons;
     c.options.radius = setting.radiusMetres;
     c.options.maxBounces = bounces;
+    c.options.gather = photon_gi::Gather::Tiles;
+    c.options.gatherDivisor = 2;
     return c;
 }
 
@@ -41,7 +43,7 @@ core::Result<std::vector<Contestant>> measure(const BenchCall& call, const Setti
                                   contestant(call, setting, "full, one bounce", Pipeline::Full, 1),
                                   contestant(call, setting, "thesis", Pipeline::Thesis, 1)};
     const uint32_t frames = call.options.frames.value_or(call.quick ? 5 : 15);
-    TRY_VOID(race(three, call.options.warmup.value_or(2), frames));
+    TRY_VOID(race(three, {call.options.warmup.value_or(2), frames}));
     return three;
 }
 

@@ -12,10 +12,11 @@ namespace {
 using photon_gi::Pipeline;
 
 Contestant contestant(const BenchCall& call, Pipeline pipeline) {
-    Contestant c{name(pipeline), call.options, {}, {}, {}, {}};
+    Contestant c{name(pipeline), call.options};
     c.options.scene = "cornell";
     c.options.pipeline = pipeline;
     c.options.size = call.options.size.value_or(graph::Extent{640, 360});
+    c.options.photons = call.options.photons.value_or(1000);
     if (pipeline == Pipeline::Thesis) c.options.maxBounces.reset();
     return c;
 }
@@ -63,7 +64,7 @@ core::Result<void> benchNodes(const BenchCall& call) {
     std::vector<Contestant> contestants{contestant(call, Pipeline::Full),
                                         contestant(call, Pipeline::Thesis)};
     const uint32_t frames = call.options.frames.value_or(call.quick ? 10 : 60);
-    TRY_VOID(race(contestants, call.options.warmup.value_or(3), frames));
+    TRY_VOID(race(contestants, {call.options.warmup.value_or(3), frames}));
     const Contestant& full = contestants.front();
     const photon_gi::Settings settings = settingsOf(full.options);
     Table table{"nodes", {}, {"node", "full ms", "full %", "thesis ms", "thesis %"}, {}};

@@ -16,12 +16,18 @@ constexpr graph::Extent kDefaultSize{1280, 720};
 constexpr uint32_t kMaxSide = 65535;   // what two 16-bit halves of a pixel's address hold
 constexpr uint32_t kMaxBounces = 255;  // [chosen] far past what roulette lets live
 constexpr uint32_t kMaxGatherDivisor = 16;
+constexpr uint32_t kMaxGatherRays = 64;
+constexpr uint32_t kMaxHistory = 4096;
+constexpr uint32_t kMaxShadowRays = 31;
+constexpr uint32_t kMaxFilterLevels = 5;
 
 const std::map<std::string, Pipeline> kPipelines{
     {"full", Pipeline::Full}, {"thesis", Pipeline::Thesis}, {"direct", Pipeline::Direct}};
 const std::map<std::string, Quality> kQualities{{"fast", Quality::Fast}, {"fine", Quality::Fine}};
 const std::map<std::string, core::Tonemap> kTonemaps{{"clip", core::Tonemap::Clip},
                                                      {"filmic", core::Tonemap::Filmic}};
+const std::map<std::string, photon_gi::Gather> kGathers{{"tiles", photon_gi::Gather::Tiles},
+                                                        {"final", photon_gi::Gather::Final}};
 const std::map<std::string, bool> kSwitch{{"on", true}, {"off", false}};
 
 /// What follows from cost, in `full`.
@@ -29,10 +35,14 @@ struct Preset {
     uint32_t photons;
     float radiusMetres;
     uint32_t gatherDivisor;
+    uint32_t gatherRays;
+    uint32_t filterLevels;
+    uint32_t gridColumns;
+    uint32_t shadowDivisor = 4, shadowRays = 8;
 };
-constexpr Preset kFast{1000, 1.0f, 2};
-constexpr Preset kFine{100000, 0.25f,
-                       1};  // [chosen] noise and blur of a still picture, in seconds a frame
+constexpr Preset kTiles{1000, 1.0f, 2, 0, 0, 0};  // the Thesis's
+constexpr Preset kFast{5000, 1.0f, 8, 4, 2, 8};
+constexpr Preset kFine{20000, 1.0f, 4, 8, 2, 16};
 
 template <typename T>
 std::string namesOf(const std::map<std::string, T>& choices) {
@@ -42,8 +52,8 @@ std::string namesOf(const std::map<std::string, T>& choices) {
 }
 
 /// One of a few words.
-template <typename T>
-CLI::Option* addChoice(CLI::App& app, const std::string& flag, T& target,
+template <typename T, typename Target>
+CLI::Option* addChoice(CLI::App& app, const std::string& flag, Target& target,
                        const std::map<std::string, T>& choices, const std::string& help) {
     const auto choose = [&target, &choices, flag](const std::string& word) {
         const auto found = choices.find(word);
@@ -108,19 +118,32 @@ void addFrameOptions(CLI::App& app, Options& o) {
               "full, the yardstick thesis, or direct light alone (full)");
     addChoice(app, "--quality", o.quality, kQualities,
               "preset of full for --photons, --radius and --gather-divisor (fast)");
-    app.add_option("--photons", o.photons, "paths emitted a frame (1000; fine 100000)")
+    app.add_option("--photons", o.photons,
+                   "paths emitted a frame (5000; fine 20000; with tiles 1000)")
         ->check(CLI::Range(1u, 0xffffffffu));
-    app.add_option("--radius", o.radius, "metres that a photon reaches (1.0; fine 0.25)")
+    app.add_option("--radius", o.radius,
+                   "metres that a photon reaches; the final gather's cells are half as wide (1.0)")
         ->check(finite(1e-6, 1e6));
     app.add_option("--max-bounces", o.maxBounces,
                    "a path hits at most one surface more; 0 is direct light (full 8, thesis 1)")
         ->check(CLI::Range(0u, kMaxBounces));
-    app.add_option("--gather", o.gather, "how indirect light is looked up: tiles (tiles)")
-        ->type_name("tiles|final")
-        ->check(CLI::IsMember({"tiles", "final"}));
-    app.add_option("--gather-divisor", o.gatherDivisor, "low resolution, an axis (2; fine 1)")
+    addChoice(app, "--gather", o.gather, kGathers,
+              "how indirect light is looked up: photons binned to tiles, or a final gather "
+              "(full: final, thesis: tiles)");
+    app.add_option("--gather-rays", o.gatherRays, "final gather: rays a texel (4; fine 8)")
+        ->check(CLI::Range(1u, kMaxGatherRays));
+    app.add_option("--filter-levels", o.filterLevels, "final gather: levels of the filter (2)")
+        ->check(CLI::Range(0u, kMaxFilterLevels));
+    app.add_option("--gather-divisor", o.gatherDivisor,
+                   "low resolution, an axis (8; fine 4; with tiles 2)")
         ->check(CLI::Range(1u, kMaxGatherDivisor));
-    app.add_option("--history", o.history, "frames kept: 0, as there is no history yet (0)");
+    app.add_option("--shadow-divisor", o.shadowDivisor, "low resolution of shadows, an axis (4)")
+        ->check(CLI::Range(1u, kMaxGatherDivisor));
+    app.add_option("--shadow-rays", o.shadowRays, "a light and low-resolution texel (8)")
+        ->check(CLI::Range(1u, kMaxShadowRays));
+    app.add_option("--history", o.history,
+                   "final gather: frames in the mean while nothing changes; 0 is off (32)")
+        ->check(CLI::Range(0u, kMaxHistory));
     addChoice(app, "--reseed", o.reseed, kSwitch, "draw a frame's paths anew every frame (on)");
     app.add_option("--retrace", o.retrace, "whether paths that cannot have changed are kept (auto)")
         ->type_name("auto|all")
@@ -134,14 +157,19 @@ void addFrameOptions(CLI::App& app, Options& o) {
 }
 
 void addDisplayOptions(CLI::App& app, core::DisplayTransform& display) {
-    app.add_option("--exposure", display.exposureEv, "EV; display only (0)")
+    app.add_option("--exposure", display.exposureEv,
+                   fmt::format("EV; display only ({:g})", display.exposureEv))
         ->check(finite(-100.0, 100.0));
     addChoice(app, "--tonemap", display.tonemap, kTonemaps, "display only (clip)");
 }
 
-void addViewOptions(CLI::App& app, Options& o) {
+void addCameraOptions(CLI::App& app, Options& o) {
     app.add_option("--camera", o.camera, "by name (the first)")->type_name("NAME");
     app.add_option("--time", o.time, "seconds, of the first frame (0)")->check(finite(-1e6, 1e6));
+}
+
+void addViewOptions(CLI::App& app, Options& o) {
+    addCameraOptions(app, o);
     addDisplayOptions(app, o.display);
     app.add_option("--report", o.report, "write measurements")->type_name("FILE.json");
 }
@@ -159,8 +187,11 @@ core::Result<void> checkCall(const Options& o) {
     if (o.pipeline == Pipeline::Thesis && o.maxBounces.value_or(1) > 1)
         return core::error("--pipeline thesis has one bounce; --max-bounces {} needs full",
                            *o.maxBounces);
-    if (o.gather == "final") return core::error("--gather final is not available; tiles is");
-    if (o.history > 0) return core::error("--history {}: there is no history yet", o.history);
+    if (o.pipeline == Pipeline::Thesis && o.gather == photon_gi::Gather::Final)
+        return core::error("--pipeline thesis gathers from tiles; --gather final needs full");
+    if (o.history.value_or(0) > 0 &&
+        (o.pipeline != Pipeline::Full || o.gather == photon_gi::Gather::Tiles))
+        return core::error("--history {} is of full's final gather", *o.history);
     const std::array files{o.output, o.report, o.graph, o.trace};
     for (size_t i = 0; i < files.size(); ++i)
         for (size_t j = 0; j < i; ++j)
@@ -198,12 +229,23 @@ core::Result<void> checkOutputs(const Options& o) {
 
 photon_gi::Settings settingsOf(const Options& o) {
     const bool thesis = o.pipeline == Pipeline::Thesis;
-    const Preset preset = !thesis && o.quality == Quality::Fine ? kFine : kFast;
+    const auto gather =
+        thesis ? photon_gi::Gather::Tiles : o.gather.value_or(photon_gi::Gather::Final);
+    const Preset preset = gather == photon_gi::Gather::Tiles ? kTiles
+                          : o.quality == Quality::Fine       ? kFine
+                                                             : kFast;
     photon_gi::Settings s;
     s.pipeline = o.pipeline;
     s.photonPaths = o.photons.value_or(preset.photons);
     s.radiusMetres = o.radius.value_or(preset.radiusMetres);
     s.gatherDivisor = o.gatherDivisor.value_or(preset.gatherDivisor);
+    s.gather = gather;
+    s.history = gather == photon_gi::Gather::Final ? o.history.value_or(32) : 0;
+    s.gridColumns = preset.gridColumns;
+    s.gatherRays = o.gatherRays.value_or(preset.gatherRays);
+    s.shadowDivisor = o.shadowDivisor.value_or(preset.shadowDivisor);
+    s.shadowRays = o.shadowRays.value_or(preset.shadowRays);
+    s.filterLevels = o.filterLevels.value_or(preset.filterLevels);
     s.maxBounces = o.maxBounces.value_or(thesis ? 1 : 8);
     s.lightCutoff = o.lightCutoff;
     s.seed = o.seed;
@@ -219,6 +261,10 @@ const char* name(Pipeline pipeline) {
     for (const auto& [word, value] : kPipelines)
         if (value == pipeline) return word.c_str();
     return "";
+}
+
+const char* name(photon_gi::Gather gather) {
+    return gather == photon_gi::Gather::Final ? "final" : "tiles";
 }
 
 const char* name(Quality quality) {

@@ -26,8 +26,9 @@ struct Options {
     Quality quality = Quality::Fast;
     std::optional<uint32_t> photons, maxBounces, gatherDivisor;
     std::optional<float> radius;  ///< metres
-    std::string gather = "tiles";
-    uint32_t history = 0;
+    std::optional<photon_gi::Gather> gather;
+    std::optional<uint32_t> gatherRays, filterLevels, shadowDivisor, shadowRays;
+    std::optional<uint32_t> history;
     bool reseed = true;
     std::string retrace = "auto";
     float lightCutoff = 0.001f;
@@ -49,6 +50,8 @@ void addSizeOptions(CLI::App& app, Options& options);
 void addFrameOptions(CLI::App& app, Options& options);
 /// --exposure, --tonemap.
 void addDisplayOptions(CLI::App& app, core::DisplayTransform& display);
+/// --camera, --time.
+void addCameraOptions(CLI::App& app, Options& options);
 /// --camera, --time, --exposure, --tonemap, --report.
 void addViewOptions(CLI::App& app, Options& options);
 /// Those of addViewOptions, --timestep, --graph, --trace.
@@ -68,5 +71,6 @@ core::Result<void> checkOutputs(const Options& options);
 
 [[nodiscard]] const char* name(photon_gi::Pipeline pipeline);
 [[nodiscard]] const char* name(Quality quality);
+[[nodiscard]] const char* name(photon_gi::Gather gather);
 
 }  // namespace lampyris::sandbox

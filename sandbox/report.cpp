@@ -16,28 +16,6 @@ Json toJson(const glm::dvec3& rgb) {
     return Json::array({rgb.r, rgb.g, rgb.b});
 }
 
-Json settingsJson(const Options& o) {
-    const photon_gi::Settings s = settingsOf(o);
-    return {{"quality", name(o.quality)},
-            {"photons", s.photonPaths},
-            {"radius", s.radiusMetres},
-            {"max_bounces", s.maxBounces},
-            {"gather", o.gather},
-            {"gather_divisor", s.gatherDivisor},
-            {"history", o.history},
-            {"reseed", s.reseed},
-            {"retrace", o.retrace},
-            {"light_cutoff", s.lightCutoff},
-            {"seed", s.seed},
-            {"camera", o.camera},
-            {"time", o.time},
-            {"timestep", o.timestep.value_or(0.0)},
-            {"warmup", o.warmup.value_or(0)},
-            {"exposure", o.display.exposureEv},
-            {"tonemap", o.display.tonemap == core::Tonemap::Filmic ? "filmic" : "clip"},
-            {"output_node", o.outputNode}};
-}
-
 Json nodesJson(const FrameSeries& series) {
     Json nodes = Json::array();
     for (const NodeSummary& node : series.summariseNodes())
@@ -72,6 +50,32 @@ Json accelJson(const accel::AccelCounts& counts, const Measured& measured) {
 
 }  // namespace
 
+Json settingsJson(const Options& o) {
+    const photon_gi::Settings s = settingsOf(o);
+    return {{"quality", name(o.quality)},
+            {"photons", s.photonPaths},
+            {"radius", s.radiusMetres},
+            {"max_bounces", s.maxBounces},
+            {"gather", name(s.gather)},
+            {"gather_divisor", s.gatherDivisor},
+            {"gather_rays", s.gatherRays},
+            {"shadow_divisor", s.shadowDivisor},
+            {"shadow_rays", s.shadowRays},
+            {"filter_levels", s.filterLevels},
+            {"history", s.history},
+            {"reseed", s.reseed},
+            {"retrace", o.retrace},
+            {"light_cutoff", s.lightCutoff},
+            {"seed", s.seed},
+            {"camera", o.camera},
+            {"time", o.time},
+            {"timestep", o.timestep.value_or(0.0)},
+            {"warmup", o.warmup.value_or(0)},
+            {"exposure", o.display.exposureEv},
+            {"tonemap", o.display.tonemap == core::Tonemap::Filmic ? "filmic" : "clip"},
+            {"output_node", o.outputNode}};
+}
+
 void Measured::add(LoopFrame frame) {
     series.add(frame.outcome.statistics);
     rebuilds += frame.rebuilds;
@@ -99,6 +103,7 @@ std::string makeReport(const Options& options, FrameLoop& loop, const Measured& 
                         {"dropped", r.counters.pairsDropped},
                         {"max_in_tile", r.counters.mostInTile}}},
                       {"gather", {{"pixels_recomputed", r.counters.pixelsRecomputed}}},
+                      {"grid", {{"cells", r.counters.cells}, {"dropped", r.counters.cellsDropped}}},
                       {"lights", {{"cut_off_watts", toJson(glm::dvec3(r.cutOffWatts))}}},
                       {"accel", accelJson(loop.renderer().accel().counts(), measured)},
                       {"memory",

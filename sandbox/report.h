@@ -1,6 +1,7 @@
 /// \file report.json, as DESIGN.md has it.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "frame_loop.h"
@@ -17,6 +18,9 @@ struct Measured {
 
     void add(LoopFrame frame);
 };
+
+/// What a frame is made with, as the report has it.
+[[nodiscard]] nlohmann::ordered_json settingsJson(const Options& options);
 
 /// Pretty-printed JSON text.
 [[nodiscard]] std::string makeReport(const Options& options, FrameLoop& loop,

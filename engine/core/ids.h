@@ -14,6 +14,7 @@ struct Id {
     uint32_t value = kNone;
 
     [[nodiscard]] bool valid() const { return value != kNone; }
+    // NOLINTNEXTLINE(modernize-use-nullptr): seen in the comparison that the compiler writes
     auto operator<=>(const Id&) const = default;
 };
 

@@ -22,7 +22,8 @@ LightLists addLightLists(graph::Frame& frame, const Surface& surface, const Tile
                          const residency::SceneHandles& scene, float cutoff, uint32_t seed) {
     LightLists lists;
     const uint32_t words = std::max(1u, (scene.lightCount + 31) / 32);
-    lists.params = {scene.lightCount, words, cutoff, seed, reachGrid(scene.lightCount), 0, 0, 0};
+    lists.params = {
+        scene.lightCount, words, cutoff, seed, reachGrid(scene.lightCount), 1, 0, 0, 0, 0, 0, 0};
 
     auto reach = frame.compute("sphere_direct/reach", shaders::lightReach);
     bindSurface(reach, surface);

@@ -1,24 +1,42 @@
 #include "deferred/shadow.h"
 
+#include <bit>
+
+#include "core/check.h"
 #include "deferred/shaders.h"
 #include "shared/scene.h"
 
 namespace lampyris::deferred {
 
-graph::Image addShadow(graph::Frame& frame, const Surface& surface, const LightLists& lights,
-                       const residency::SceneHandles& scene, const accel::AccelHandles& accel) {
-    const graph::Extent size{surface.view.width, surface.view.height};
+Shadows addShadow(graph::Frame& frame, const Surface& surface, const LightLists& lights,
+                  const residency::SceneHandles& scene, const accel::AccelHandles& accel,
+                  const ShadowSettings& settings) {
+    const graph::Extent size =
+        graph::Extent{surface.view.width, surface.view.height}.dividedBy(settings.divisor);
+    Shadows shadows;
+    shadows.params = lights.params;
+    shadows.params.divisor = settings.divisor;
+    shadows.params.coarseWidth = size.width;
+    shadows.params.coarseHeight = size.height;
+    shadows.params.rays = settings.rays;
+    shadows.params.planes = static_cast<uint32_t>(std::bit_width(settings.rays));
+    shadows.params.seed = settings.seed;
+    CHECK(shadows.params.planes <= shared::SHADOW_MOST_PLANES);
+
     auto node = frame.compute("shadow", shaders::shadow);
     bindSurface(node, surface);
     accel::bindTraversal(node, accel, scene);
     node.read(shared::SLOT_LIGHTS, scene.lights)
         .read(shared::SLOT_LIGHT_MASKS, lights.masks)
-        .push(lights.params);
-    const graph::Image bits = node.write(
-        shared::SLOT_SHADOW_MASKS,
-        frame.image("shadow masks", {graph::Format::R32Uint, size, lights.params.maskWords, true}));
+        .push(shadows.params);
+    const uint32_t layers = shadows.params.maskWords * shadows.params.planes;
+    shadows.counts =
+        node.write(shared::SLOT_SHADOW_COUNTS,
+                   frame.image("shadow counts", {graph::Format::R32Uint, size, layers, true}));
+    shadows.guide = node.write(shared::SLOT_SHADOW_GUIDE,
+                               frame.image("shadow guide", {graph::Format::RGBA32Uint, size}));
     node.dispatchOver(size);
-    return bits;
+    return shadows;
 }
 
 }  // namespace lampyris::deferred

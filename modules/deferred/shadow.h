@@ -1,6 +1,6 @@
-/// \file shadow: one ray a pixel to a random point of each light that reaches it.
-///   in  surface, light lists, BVH    out  an image of bits, a layer for 32 lights: set = in shadow
-///   shader deferred/shadow.comp
+/// \file shadow: at low resolution, how many of a few rays see each light that reaches the texel.
+///   in      surface, light lists, BVH       out   counts, and where each texel stands
+///   shader  deferred/shadow.comp            theory  README [D4]
 #pragma once
 
 #include "accel/accel_on_gpu.h"
@@ -8,8 +8,22 @@
 
 namespace lampyris::deferred {
 
-[[nodiscard]] graph::Image addShadow(graph::Frame& frame, const Surface& surface,
-                                     const LightLists& lights, const residency::SceneHandles& scene,
-                                     const accel::AccelHandles& accel);
+struct ShadowSettings {
+    uint32_t divisor = 4;  ///< low resolution, an axis
+    uint32_t rays = 4;     ///< a texel and light, at most 31
+    uint32_t seed = 1;     ///< of this frame
+};
+
+struct Shadows {
+    /// R32Uint, `planes` layers for 32 lights: layer k holds bit k of the number of rays that see
+    /// each. Invalid: there are no shadows.
+    graph::Image counts{};
+    graph::Image guide{};  ///< RGBA32Uint: position as float bits, normal octahedral
+    shared::DirectParams params{};
+};
+
+[[nodiscard]] Shadows addShadow(graph::Frame& frame, const Surface& surface,
+                                const LightLists& lights, const residency::SceneHandles& scene,
+                                const accel::AccelHandles& accel, const ShadowSettings& settings);
 
 }  // namespace lampyris::deferred

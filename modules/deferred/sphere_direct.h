@@ -1,10 +1,10 @@
 /// \file sphere_direct: direct light of the sphere lights, Lambert and GGX.
-///   in      surface, light lists, shadow masks (or none: every light is seen, as in the Thesis)
+///   in      surface, light lists, shadows (or none: every light is seen, as in the Thesis)
 ///   out     diffuse irradiance W/m² without albedo; specular radiance
-///   shader  deferred/sphere_direct.comp     theory  README [D1], [D2]
+///   shader  deferred/sphere_direct*.comp, shadow_edges.comp     theory  README [D1], [D2], [D5]
 #pragma once
 
-#include "deferred/light_lists.h"
+#include "deferred/shadow.h"
 
 namespace lampyris::deferred {
 
@@ -13,9 +13,16 @@ struct DirectLight {
     graph::Image specular{};    ///< RGBA16F, W/(m²·sr)
 };
 
-/// \param shadowMasks invalid: no shadows
+/// Every light that reaches a pixel is seen from there.
+[[nodiscard]] DirectLight addUnshadowedDirect(graph::Frame& frame, const Surface& surface,
+                                              const LightLists& lights,
+                                              const residency::SceneHandles& scene);
+
+/// Between the shadows' texels; pixels for which those do not stand trace rays of their own
+/// (`shadow/edges`).
 [[nodiscard]] DirectLight addSphereDirect(graph::Frame& frame, const Surface& surface,
-                                          const LightLists& lights, graph::Image shadowMasks,
-                                          const residency::SceneHandles& scene);
+                                          const LightLists& lights, const Shadows& shadows,
+                                          const residency::SceneHandles& scene,
+                                          const accel::AccelHandles& accel);
 
 }  // namespace lampyris::deferred

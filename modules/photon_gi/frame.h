@@ -12,6 +12,13 @@
 
 namespace lampyris::photon_gi {
 
+/// What the frame before left; see GatherPast.
+struct Past {
+    bool known = false;  ///< there was one, of the same size and settings
+    bool same = false;   ///< and nothing in the scene has changed since
+    glm::mat4 worldToClip{1.0f};
+};
+
 /// All that a frame is drawn from.
 struct FrameInputs {
     residency::SceneHandles scene;
@@ -20,6 +27,7 @@ struct FrameInputs {
     photons::PathSplit paths;
     shared::View view{};
     uint32_t seed = 1;  ///< of this frame
+    Past past;
 };
 
 /// What came of it. The buffers are for reading back after the frame.
@@ -29,6 +37,10 @@ struct DrawnFrame {
     std::vector<graph::Buffer> ledgers;  ///< a batch each
     graph::Buffer lightReach{};          ///< metres a light, then the watts cut off
 };
+
+/// The images that history keeps, at these settings; to be asked of execute::HistoryBook.
+[[nodiscard]] graph::ImageDesc historyMean(const shared::View& view, const Settings& settings);
+constexpr const char* kHistoryMean = "gather history";
 
 [[nodiscard]] DrawnFrame drawFrame(graph::Frame& frame, const FrameInputs& in,
                                    const Settings& settings, const Capacities& room);

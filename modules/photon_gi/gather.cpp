@@ -16,8 +16,18 @@ constexpr uint32_t kMostGroups = 65535;
 shared::GatherParams gatherParams(const shared::View& view, const GatherSettings& settings,
                                   float powerScale) {
     const graph::Extent coarse = coarseSize(view, settings.divisor);
-    return {settings.radiusMetres, powerScale, settings.divisor, coarse.width, coarse.height, 0, 0,
-            kNormalLimit};
+    return {settings.radiusMetres,
+            powerScale,
+            settings.divisor,
+            coarse.width,
+            coarse.height,
+            0,
+            0,
+            kNormalLimit,
+            0,
+            0,
+            0,
+            0};
 }
 
 void bindEstimate(graph::ComputeNode& node, const deferred::Surface& surface,
@@ -92,12 +102,17 @@ EdgeList addEdges(graph::Frame& frame, const deferred::Surface& surface, graph::
     list.counters = find.update(shared::SLOT_GATHER_COUNTERS, counters);
     find.dispatchOver(coarseBlocks(surface.view, settings.divisor));
 
-    auto groups = frame.compute("gather/groups", shaders::gatherGroups);
-    groups.read(shared::SLOT_GATHER_COUNTERS, list.counters);
-    list.groups = groups.write(shared::SLOT_GATHER_GROUPS,
-                               frame.buffer("edge groups", {3 * sizeof(uint32_t)}));
-    groups.dispatch(1);
+    list.groups = addEdgeGroups(frame, list.counters);
     return list;
+}
+
+graph::Buffer addEdgeGroups(graph::Frame& frame, graph::Buffer counters) {
+    auto node = frame.compute("gather/groups", shaders::gatherGroups);
+    node.read(shared::SLOT_GATHER_COUNTERS, counters);
+    const graph::Buffer groups =
+        node.write(shared::SLOT_GATHER_GROUPS, frame.buffer("edge groups", {3 * sizeof(uint32_t)}));
+    node.dispatch(1);
+    return groups;
 }
 
 Gathered addGather(graph::Frame& frame, const deferred::Surface& surface,

@@ -30,6 +30,9 @@ struct Gathered {
 [[nodiscard]] EdgeList addEdges(graph::Frame& frame, const deferred::Surface& surface,
                                 graph::Buffer counters, const GatherSettings& settings);
 
+/// An indirect dispatch over the pixels listed so far.
+[[nodiscard]] graph::Buffer addEdgeGroups(graph::Frame& frame, graph::Buffer counters);
+
 /// \param before what earlier batches gathered, or invalid handles
 [[nodiscard]] Gathered addGather(graph::Frame& frame, const deferred::Surface& surface,
                                  const photons::PhotonList& photons, const TileBins& bins,

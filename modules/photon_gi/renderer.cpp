@@ -8,7 +8,7 @@
 
 #include "deferred/view.h"
 #include "photon_gi/tile_bin.h"
-#include "photons/photon_trace.h"
+#include "photons/irradiance_grid.h"
 #include "shared/tile_bin.h"
 
 namespace lampyris::photon_gi {
@@ -62,6 +62,8 @@ core::Result<void> Renderer::update(const scene::SceneSnapshot& snapshot) {
     TRY_VOID(scene_.update(snapshot));
     TRY_VOID(accel_.update(snapshot));
     emitters_ = photons::listEmitters(snapshot.lights, scene_.emitters());
+    // Sums of counters that only grow: any change is a change of the sum.
+    sceneVersion_ = 1 + snapshot.geometryVersion + snapshot.materialVersion + snapshot.lightVersion;
     return {};
 }
 
@@ -84,6 +86,16 @@ void Renderer::makeRoom(const FrameRequest& request) {
         std::min<uint64_t>(std::max<uint64_t>(pairGuess, room_.pairs), mostPairs_));
 }
 
+Past Renderer::recall(const shared::View& view, const Settings& settings) {
+    Past past;
+    past.known = executor_->history().known(kHistoryMean, historyMean(view, settings));
+    past.same = drawnVersion_ == sceneVersion_;
+    past.worldToClip = drawnWorldToClip_;
+    drawnVersion_ = sceneVersion_;
+    drawnWorldToClip_ = view.worldToClip;
+    return past;
+}
+
 DrawnFrame Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
     makeRoom(request);
     FrameInputs in;
@@ -93,6 +105,7 @@ DrawnFrame Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
     in.paths = split_;
     in.view = deferred::makeView(request.camera, request.size);
     in.seed = frameSeed(request.settings, request.frameNumber);
+    in.past = recall(in.view, request.settings);
     Settings settings = request.settings;
     settings.largestBatch = std::min(settings.largestBatch, largestBatch_);
     return drawFrame(frame, in, settings, room_);
@@ -105,6 +118,8 @@ void Renderer::shrinkBatches(double share) {
 
 bool Renderer::grow(const shared::FrameCounters& counters) {
     const bool dropped = counters.photonsDropped > 0 || counters.pairsDropped > 0;
+    const bool fullGrid = counters.cellsDropped > 0;
+    if (fullGrid) room_.gridSlots = std::min(4 * room_.gridSlots, photons::kMostGridSlots);
     const bool crowded = counters.mostInTile > kMostPhotonsInTile && lastBatch_ > 1;
     if (counters.photonsDropped > 0)
         room_.photons = grown(counters.photonsNeeded, photons::kMaxPhotonCapacity);
@@ -115,7 +130,7 @@ bool Renderer::grow(const shared::FrameCounters& counters) {
                   static_cast<double>(counters.pairsNeeded) / mostPairs_,
                   static_cast<double>(counters.mostInTile) / kMostPhotonsInTile});
     if (most > 1.0) shrinkBatches(0.8 / most);
-    return dropped || crowded;
+    return dropped || crowded || fullGrid;
 }
 
 core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFrame& drawn,

@@ -71,6 +71,12 @@ class Renderer {
     accel::AccelOnGpu accel_;
     std::vector<photons::Emitter> emitters_;
     photons::PathSplit split_;
+    /// What the mean over frames may go on from.
+    [[nodiscard]] Past recall(const shared::View& view, const Settings& settings);
+
+    uint64_t sceneVersion_ = 0;  ///< of the last update(), and of the last frame declared
+    uint64_t drawnVersion_ = 0;
+    glm::mat4 drawnWorldToClip_{1.0f};
     uint32_t largestBatch_ = 0xffffffffu;  ///< paths; halved while a batch's pairs do not fit
     uint32_t lastBatch_ = 0;               ///< the largest of the last frame
     uint32_t mostPairs_ = 0;               ///< that one batch may have at this size

@@ -13,24 +13,38 @@ enum class Pipeline : uint8_t {
     Direct,  ///< full's shadowed direct light, nothing else
 };
 
+/// How `full` looks indirect light up.
+enum class Gather : uint8_t {
+    Tiles,  ///< photons binned to tiles, as the Thesis does
+    Final,  ///< a few rays a texel into a world-space grid of the photons
+};
+
 /// Defaults are those of the program's options.
 struct Settings {
     Pipeline pipeline = Pipeline::Full;
-    uint32_t photonPaths = 1000;  ///< emitted a frame
-    float radiusMetres = 1.0f;    ///< of a photon's influence
-    uint32_t maxBounces = 8;      ///< `thesis`: 1
-    uint32_t gatherDivisor = 2;   ///< low resolution, an axis
-    float lightCutoff = 0.001f;   ///< of the frame's mean direct irradiance
+    uint32_t photonPaths = 5000;    ///< emitted a frame
+    float radiusMetres = 1.0f;      ///< of a photon's influence; the grid's cells are half as wide
+    uint32_t maxBounces = 8;        ///< `thesis`: 1
+    Gather gather = Gather::Final;  ///< `thesis`: tiles
+    uint32_t gatherDivisor = 8;     ///< low resolution, an axis
+    uint32_t gatherRays = 4;        ///< final gather: a texel
+    uint32_t filterLevels = 2;      ///< final gather: of the à-trous filter
+    uint32_t history = 32;          ///< final gather: most frames in the mean; 0: each stands alone
+    uint32_t gridColumns = 8;       ///< final gather: rays that measure a grid cell's surface
+    float lightCutoff = 0.001f;     ///< of the frame's mean direct irradiance
     uint32_t seed = 1;
     bool reseed = true;                   ///< paths are drawn anew every frame
     bool shadows = true;                  ///< `full` and `direct`
+    uint32_t shadowDivisor = 4;           ///< low resolution of the shadows, an axis
+    uint32_t shadowRays = 8;              ///< a texel and light
     uint32_t largestBatch = 0xffffffffu;  ///< paths traced in one go, at most
 };
 
 /// Room for what a frame makes; grows after an overflow.
 struct Capacities {
-    uint32_t photons = 0;  ///< of the largest batch
-    uint32_t pairs = 0;    ///< (tile, photon), of the largest batch
+    uint32_t photons = 0;           ///< of the largest batch
+    uint32_t pairs = 0;             ///< (tile, photon), of the largest batch
+    uint32_t gridSlots = 1u << 16;  ///< of the irradiance grid
 };
 
 /// The seed of a frame's random numbers.

@@ -21,8 +21,8 @@ uint32_t traceGroups(uint32_t paths) {
 
 }  // namespace
 
-uint32_t photonsPerPath(const PathSplit& split, uint32_t maxBounces) {
-    return maxBounces + (split.anySurface ? 1u : 0u);
+uint32_t photonsPerPath(const PathSplit& split, uint32_t maxBounces, bool firstHits) {
+    return maxBounces + (split.anySurface && !firstHits ? 1u : 0u);
 }
 
 std::vector<PathBatch> batchPaths(const PathSplit& split, uint32_t maxBounces,
@@ -46,7 +46,7 @@ PhotonList addPhotonTrace(graph::Frame& frame, const residency::SceneHandles& sc
                           const accel::AccelHandles& accel, const PathSplit& split,
                           const PathBatch& batch, const TraceSettings& settings,
                           graph::Buffer counters) {
-    const uint32_t perPath = photonsPerPath(split, settings.maxBounces);
+    const uint32_t perPath = photonsPerPath(split, settings.maxBounces, settings.firstHits);
     const uint32_t groups = traceGroups(batch.pathCount);
     const uint64_t stagedBytes = uint64_t{batch.pathCount} * perPath * sizeof(shared::PackedPhoton);
 
@@ -57,10 +57,12 @@ PhotonList addPhotonTrace(graph::Frame& frame, const residency::SceneHandles& sc
         .texels(shared::SLOT_EMITTER_TRIANGLES, scene.emitterTriangles, graph::Format::RGBA32Float)
         .storageData(shared::SLOT_PATH_RANGES, split.ranges.data(),
                      split.ranges.size() * sizeof(shared::PathRange))
-        .push(shared::TraceParams{
-            batch.firstPath, batch.pathCount, static_cast<uint32_t>(split.ranges.size()), perPath,
-            settings.maxBounces, settings.roulette ? kRouletteFrom : 0xffffffffu, settings.seed,
-            split.powerScale});
+        .push(shared::TraceParams{batch.firstPath, batch.pathCount,
+                                  static_cast<uint32_t>(split.ranges.size()), perPath,
+                                  settings.maxBounces, settings.firstHits ? 0u : 1u,
+                                  settings.maxBounces + (settings.firstHits ? 0u : 1u),
+                                  settings.roulette ? kRouletteFrom : 0xffffffffu, settings.seed,
+                                  split.powerScale, 0, 0});
     const graph::Buffer staged =
         trace.write(shared::SLOT_STAGED_PHOTONS, frame.buffer("staged photons", {stagedBytes}));
     const graph::Buffer counts =

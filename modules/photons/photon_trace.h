@@ -17,6 +17,8 @@ struct TraceSettings {
     bool roulette = true;         ///< past the first bounces
     uint32_t seed = 1;            ///< of this frame
     uint32_t photonCapacity = 0;  ///< of the store, in photons
+    bool firstHits = false;  ///< keeps hits 0 to B − 1, direct light among them, for a final gather
+                             ///< that is itself the last bounce; else hits 1 to B
 };
 
 /// The share of the frame's paths that is traced, binned and gathered in one go. What a shader may
@@ -27,8 +29,10 @@ struct PathBatch {
     uint32_t pathCount = 0;
 };
 
-/// Photons that one path can leave: B, and the first hit too where it left an emissive surface.
-[[nodiscard]] uint32_t photonsPerPath(const PathSplit& split, uint32_t maxBounces);
+/// Photons that one path can leave: B, and without `firstHits` one more where it left an emissive
+/// surface.
+[[nodiscard]] uint32_t photonsPerPath(const PathSplit& split, uint32_t maxBounces,
+                                      bool firstHits = false);
 /// Batches that cover the split; no batch stages more than a storage buffer holds.
 [[nodiscard]] std::vector<PathBatch> batchPaths(const PathSplit& split, uint32_t maxBounces,
                                                 uint32_t largestBatch = 0xffffffffu);

@@ -28,6 +28,7 @@ struct SceneHandles {
     uint32_t emitterCount = 0;
     bool anyMasked = false;    ///< an instance is alpha-masked
     bool anyTextures = false;  ///< a material has a texture
+    bool anySpecular = false;  ///< a material is not Lambertian
     bool anyColours = false;   ///< a mesh has vertex colours
 };
 

@@ -79,6 +79,10 @@ core::Result<void> SceneOnGpu::Parts::updateMaterials(const scene::SceneSnapshot
     };
     TRY(uploaded.materialBytes, materials.follow(snapshot.materials.size(), keyOf, pack));
     counts.anyTextures = textures.any();
+    counts.anySpecular =
+        std::any_of(snapshot.materials.begin(), snapshot.materials.end(), [](const auto& material) {
+            return material.value->specularFactor > 0.0f || material.value->metallic > 0.0f;
+        });
     counts.materialCount = static_cast<uint32_t>(snapshot.materials.size());
     return {};
 }

@@ -1,68 +1,46 @@
-// One shadow ray a pixel to a random point of each light that reaches it: bit set = in shadow.
-// Points under the surface's horizon do not count: the irradiance already leaves that part out.
+// At low resolution: how many of a few shadow rays see each light that reaches the texel, and where the texel stands.
+// A layer holds one bit of that number for 32 lights.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/bvh_walk.glsl"
-#include "lib/rng.glsl"
-#include "lib/sampling.glsl"
-#include "lib/surface.glsl"
+#define COARSE_PARAMS DirectParams
 #include "shared/direct.h"
+#include "lib/gather_grid.glsl"
+#include "lib/joint_weight.glsl"
+#include "lib/shadow_rays.glsl"
+#include "lib/surface.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(push_constant) uniform Push { DirectParams params; };
 layout(set = 0, binding = SLOT_LIGHTS, std430) readonly buffer Lights { GpuLight lights[]; };
 layout(set = 0, binding = SLOT_LIGHT_MASKS, std430) readonly buffer Masks { uint masks[]; };
-layout(set = 0, binding = SLOT_SHADOW_MASKS, r32ui) uniform writeonly uimage2DArray shadowMasks;
-
-// Uniform in the cone under which the sphere appears; where the horizon cuts it, what falls under is drawn anew, and
-// at last the sphere's highest point over the surface stands in.
-vec3 pointOnLight(vec3 toCentre, float radius, vec3 normal, inout uvec2 random) {
-    float sinSigma2 = radius * radius / dot(toCentre, toCentre);
-    float cosCone = sqrt(max(0.0, 1.0 - sinSigma2));
-    vec3 axis = normalize(toCentre);
-    int attempts = dot(toCentre, normal) >= radius ? 1 : 4;
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-        vec3 sampled = sampleCone(axis, cosCone, random2(random));
-        if (dot(sampled, normal) > 0.0) return sampled;
-    }
-    return normalize(toCentre + normal * radius);
-}
-
-bool occluded(GpuLight light, vec3 origin, vec3 normal, inout uvec2 random) {
-    vec3 toCentre = light.positionRadius.xyz - origin;
-    float d2 = dot(toCentre, toCentre);
-    float radius = light.positionRadius.w;
-    if (d2 <= radius * radius) return false;                 // inside the light
-    if (dot(toCentre, normal) <= -radius) return true;       // all of it under the horizon
-    vec3 direction = pointOnLight(toCentre, radius, normal, random);
-    // Up to the sphere's near side along this direction.
-    float b = dot(direction, toCentre);
-    return traceAny(origin, direction, 0.0, b - sqrt(max(0.0, b * b - d2 + radius * radius)));
-}
+layout(set = 0, binding = SLOT_SHADOW_COUNTS, r32ui) uniform writeonly uimage2DArray shadowCounts;
+layout(set = 0, binding = SLOT_SHADOW_GUIDE, rgba32ui) uniform writeonly uimage2D guide;
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (!insideImage(pixel)) return;
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (texel.x >= int(params.coarseWidth) || texel.y >= int(params.coarseHeight)) return;
+    ivec2 pixel = representative(texel);
     float depth = depthAt(pixel);
     uint tile = (uint(pixel.y) / TILE_PIXELS) * view.tilesX + uint(pixel.x) / TILE_PIXELS;
-    vec3 normal = depth > 0.0 ? normalAt(pixel) : vec3(0.0);
-    vec3 origin = vec3(0.0);
+    vec3 normal = vec3(0.0), origin = vec3(0.0);
+    uvec4 place = kNoPlace;
     if (depth > 0.0) {
-        float z = viewDepth(depth);
+        normal = normalAt(pixel);
         vec3 position = positionWorld(pixel, depth);
-        // Clear of the surface by more than the depth buffer's and the triangles' rounding.
-        origin = position + normal * (2e-4 * z + 1e-5 * length(position));
+        origin = shadowOrigin(position, normal, viewDepth(depth));
+        place = uvec4(floatBitsToUint(position), packDirection(normal));
     }
+    imageStore(guide, texel, place);
     uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed);
     for (uint word = 0u; word < params.maskWords; ++word) {
-        uint shadowed = 0u;
+        uint bits[SHADOW_MOST_PLANES] = uint[SHADOW_MOST_PLANES](0u, 0u, 0u, 0u, 0u);
         uint left = depth > 0.0 ? masks[(tile * 2u) * params.maskWords + word] : 0u;
         while (left != 0u) {
             uint bit = uint(findLSB(left));
             left &= left - 1u;
-            GpuLight light = lights[word * 32u + bit];
-            if (occluded(light, origin, normal, random)) shadowed |= 1u << bit;
+            uint seen = raysThatSee(lights[word * 32u + bit], origin, normal, params.rays, random);
+            for (uint k = 0u; k < SHADOW_MOST_PLANES; ++k) bits[k] |= ((seen >> k) & 1u) << bit;
         }
-        imageStore(shadowMasks, ivec3(pixel, word), uvec4(shadowed));
+        for (uint k = 0u; k < params.planes; ++k)
+            imageStore(shadowCounts, ivec3(texel, word * params.planes + k), uvec4(bits[k]));
     }
 }

@@ -10,14 +10,14 @@ struct Photon {
     vec3 direction;   // of travel, towards the surface
     uint bounce;
     uint instance;
-    uint primitive;
+    vec3 normal;      // geometric, to the front side
 };
 
 PackedPhoton packPhoton(Photon p) {
     return PackedPhoton(
         uvec4(floatBitsToUint(p.positionWorld), packHalf2x16(p.power.rg)),
         uvec4((packHalf2x16(vec2(p.power.b, 0.0)) & 0xffffu) | (p.bounce << 16), packDirection(p.direction),
-              p.instance, p.primitive));
+              p.instance, packDirection(p.normal)));
 }
 
 vec3 photonPosition(uvec4 positionPower) { return uintBitsToFloat(positionPower.xyz); }
@@ -27,5 +27,7 @@ vec3 photonPower(uvec4 positionPower, uvec4 powerDirection) {
 }
 
 vec3 photonDirection(uvec4 powerDirection) { return unpackDirection(powerDirection.y); }
+
+vec3 photonNormal(uvec4 powerDirection) { return unpackDirection(powerDirection.w); }
 
 #endif

@@ -57,6 +57,19 @@ bool opaqueAt(uint instance, uint primitive, vec2 bary) {
     return baseColourAt(instance, primitive, bary).a >= materials[material].alphaCutoff;
 }
 
+// Radiance that the surface sends back along the ray: glowing materials do so from the front, or from both sides.
+vec3 hitEmission(Hit hit, vec3 direction) {
+    uint material = instances[hit.instance].material;
+    uint flags = materials[material].flags;
+    bool back = dot(hit.normalWorld, direction) > 0.0;
+    if ((flags & MATERIAL_EMISSIVE) == 0u || (back && (flags & MATERIAL_DOUBLE_SIDED) == 0u)) return vec3(0.0);
+    vec3 radiance = materials[material].emissiveRadiance.rgb;
+    uint use = materials[material].emissiveTexture;
+    if (sceneTextures != 0u && use != SCENE_NONE)
+        radiance *= lookUpTexture(colourTextures, use, texcoordsAt(hit.instance, hit.primitive, hit.bary), vec4(1.0)).rgb;
+    return radiance;
+}
+
 // What a Lambertian bounce keeps: base colour · (1 − metallic).
 vec3 hitAlbedo(Hit hit) {
     uint material = instances[hit.instance].material;

@@ -48,8 +48,8 @@ uint tracePath(uint slot, uint path, inout Booking book) {
             break;
         }
         vec3 position = ray.origin + hit.t * ray.direction;
-        if (hitCount > 0u || range.kind == EMIT_SURFACE) {
-            Photon photon = Photon(position, power / params.powerScale, ray.direction, hitCount, hit.instance, hit.primitive);
+        if ((hitCount >= params.firstStored || range.kind == EMIT_SURFACE) && hitCount < params.endStored) {
+            Photon photon = Photon(position, power / params.powerScale, ray.direction, hitCount, hit.instance, hit.normalWorld);
             staged[slot * params.photonsPerPath + stored] = packPhoton(photon);
             ++stored;
         }

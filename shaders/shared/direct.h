@@ -8,10 +8,21 @@ LAMPYRIS_SHARED_BEGIN
 LAMPYRIS_SLOT(SLOT_TILE_BOUNDS, 0u);       // vec2 a tile: least and greatest view depth; least > greatest: no surface
 LAMPYRIS_SLOT(SLOT_LIGHT_REACH, 2u);       // float a light: metres, then cut-off watts r, g, b
 LAMPYRIS_SLOT(SLOT_LIGHT_MASKS, 3u);       // words a tile: lights that reach it, then lights whose disc it may show
-LAMPYRIS_SLOT(SLOT_SHADOW_MASKS, 4u);      // image, a layer for 32 lights: bit set = in shadow
+LAMPYRIS_SLOT(SLOT_SHADOW_COUNTS, 4u);     // image, SHADOW_PLANES of layers for 32 lights: bit i of how many rays saw each
 LAMPYRIS_SLOT(SLOT_IRRADIANCE_DIRECT, 5u);
 LAMPYRIS_SLOT(SLOT_SPECULAR_DIRECT, 6u);
 LAMPYRIS_SLOT(SLOT_SHOWN, 7u);
+LAMPYRIS_SLOT(SLOT_SHADOW_GUIDE, 1u);      // image: where each texel stands
+LAMPYRIS_SLOT(SLOT_SHADOW_LIST, 8u);       // pixels that trace their own rays, x | y << 16
+LAMPYRIS_SLOT(SLOT_SHADOW_LISTED, 9u);     // their number
+LAMPYRIS_SLOT(SLOT_SHADOW_GROUPS, 0u);     // indirect dispatch over them
+
+LAMPYRIS_SLOT(SHADOW_MOST_PLANES, 5u);
+
+// Specialization constants.
+LAMPYRIS_SLOT(SPEC_MANY_LIGHTS, 0u);       // 0: one word of lights
+LAMPYRIS_SLOT(SPEC_SHADOW_PLANES, 1u);
+LAMPYRIS_SLOT(SPEC_ANY_SPECULAR, 2u);      // 0: every surface is Lambertian
 
 LAMPYRIS_SLOT(REACH_THREADS, 256u);
 
@@ -21,7 +32,12 @@ struct DirectParams {
     float cutoff;          // of the frame's mean direct irradiance; 0 = lights reach everywhere
     uint seed;
     uint reachGrid;        // samples of the frame, an axis, that the mean irradiance is taken from
-    uint pad0, pad1, pad2;
+    uint divisor;          // shadows' low resolution, an axis
+    uint coarseWidth;
+    uint coarseHeight;
+    uint rays;             // shadow rays a light and texel
+    uint planes;           // bits that hold their number
+    uint pad0, pad1;
 };
 
 LAMPYRIS_SLOT(SHOW_ALBEDO, 0u);

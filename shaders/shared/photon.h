@@ -37,10 +37,10 @@ struct PathRange {
 };
 
 // 32 bytes: position, and power as halves in units of TraceParams.powerScale;
-// direction of travel octahedral; the surface that was hit.
+// direction of travel octahedral; what was hit.
 struct PackedPhoton {
     uvec4 positionPower;   // position xyz (float bits), power r and g
-    uvec4 powerDirection;  // power b and the bounce, direction, instance, primitive
+    uvec4 powerDirection;  // power b and the bounce, direction, instance, front normal
 };
 
 struct TraceParams {
@@ -49,9 +49,12 @@ struct TraceParams {
     uint rangeCount;
     uint photonsPerPath;   // staged at most
     uint maxBounces;
+    uint firstStored;      // hit of a path from a sphere light that is stored first
+    uint endStored;        // hits from this on are not stored
     uint rouletteFrom;     // stored hits before roulette begins; 0xffffffff: never
     uint seed;
     float powerScale;      // watts
+    uint pad0, pad1;
 };
 
 struct StoreParams {
@@ -70,6 +73,9 @@ struct FrameCounters {
     uint pixelsRecomputed;
     uint photonsNeeded;    // the largest batch's, whether they fitted or not
     uint pairsNeeded;
+    uint cells;            // of the irradiance grid, in use
+    uint cellsDropped;     // photons that found no room in it
+    uint pad0, pad1;
 };
 
 LAMPYRIS_SHARED_END

@@ -26,6 +26,16 @@ LAMPYRIS_SLOT(SLOT_GATHER_ESTIMATES, 6u);   // vec4 of irradiance for each of th
 LAMPYRIS_SLOT(SLOT_GATHER_IRRADIANCE, 7u);  // at full resolution
 LAMPYRIS_SLOT(SLOT_GATHER_GROUPS, 8u);      // indirect dispatch
 
+// Final gather; the irradiance grid takes slots 0 and 9.
+LAMPYRIS_SLOT(SLOT_FINAL_COARSE, 2u);       // irradiance at low resolution, as it comes out
+LAMPYRIS_SLOT(SLOT_FINAL_GUIDE, 3u);        // where each texel stands: position as float bits, normal octahedral
+LAMPYRIS_SLOT(SLOT_FINAL_COARSE_IN, 4u);    // … as it is read
+LAMPYRIS_SLOT(SLOT_FINAL_GUIDE_IN, 6u);
+
+LAMPYRIS_SLOT(SLOT_HISTORY_PARAMS, 0u);      // HistoryParams
+LAMPYRIS_SLOT(SLOT_HISTORY_BEFORE, 1u);      // mean irradiance, a = frames in it
+LAMPYRIS_SLOT(SLOT_HISTORY_GUIDE_BEFORE, 5u);
+
 LAMPYRIS_SLOT(SLOT_COMPOSITE_DIRECT, 0u);
 LAMPYRIS_SLOT(SLOT_COMPOSITE_SPECULAR, 1u);
 LAMPYRIS_SLOT(SLOT_COMPOSITE_INDIRECT, 2u);
@@ -54,6 +64,16 @@ struct GatherParams {
     uint lightCount;     // composite
     uint maskWords;
     float normalLimit;   // least cosine between a pixel's normal and its neighbours'
+    uint rays;           // final gather: a texel
+    uint seed;
+    uint step;           // filter: texels between two taps
+    uint pad0;
+};
+
+struct HistoryParams {
+    mat4 worldToClipBefore;  // of the frame before
+    uint mostFrames;         // that may be in the mean besides the newest; 0: it begins anew
+    uint pad0, pad1, pad2;
 };
 
 LAMPYRIS_SHARED_END

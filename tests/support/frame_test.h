@@ -57,6 +57,7 @@ class FrameTest : public GpuTest {
         made.size = {width, height};
         made.camera = camera;
         made.settings.lightCutoff = 0.0f;
+        made.settings.history = 0;
         return made;
     }
 };

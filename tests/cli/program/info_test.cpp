@@ -1,4 +1,4 @@
-// `lampyris info` and `lampyris bench`.
+// `lampyris info`.
 #include "cli/program/program.h"
 
 namespace lampyris::test {
@@ -19,24 +19,6 @@ TEST(Info, ChoosesADeviceByPartOfItsName) {
     const Ran ran = lampyris({"info", "--device", name.substr(0, 6)});
     EXPECT_EQ(ran.out, all.out);
     expectFailure(lampyris({"info", "--device", "no such device"}), name);
-}
-
-TEST(Bench, PrintsTablesAndWritesThem) {
-    const ScratchFolder folder;
-    const std::vector<std::pair<std::string, std::vector<std::string>>> benchmarks{
-        {"nodes", {"nodes"}}, {"binning", {"binning", "photon_gi"}}};
-    for (const auto& [name, tables] : benchmarks) {
-        const std::filesystem::path out = folder / name;
-        const Ran ran = lampyris({"bench", name, "--quick", "--size", "160x90", "--frames", "1",
-                                  "--warmup", "0", "--out", out});
-        ASSERT_EQ(ran.code, 0) << ran.err;
-        EXPECT_NE(ran.out.find("thesis"), std::string::npos);
-        for (const std::string& table : tables) {
-            const std::string csv = textOf(out / (table + ".csv"));
-            EXPECT_NE(csv.find("thesis"), std::string::npos) << table;
-            EXPECT_NE(textOf(out / (table + ".md")).find("| "), std::string::npos) << table;
-        }
-    }
 }
 
 }  // namespace

@@ -135,9 +135,10 @@ TEST(Render, WritesBlackForLightThatThePipelineLacks) {
 TEST(Render, RepeatsAFrameThatOverflowed) {
     const ScratchFolder folder;
     // Every photon reaches every tile: far more entries than the first guess.
-    const Ran ran = render("cornell", folder / "a.png",
-                           {"--radius", "100", "--gather-divisor", "8", "--photons", "300",
-                            "--size", "640x360", "--report", folder / "a.json"});
+    const Ran ran =
+        render("cornell", folder / "a.png",
+               {"--gather", "tiles", "--radius", "100", "--gather-divisor", "8", "--photons", "300",
+                "--size", "640x360", "--report", folder / "a.json"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     const auto report = jsonOf(folder / "a.json");
     EXPECT_TRUE(report["valid"].get<bool>());
@@ -175,7 +176,8 @@ TEST(Render, PrintsATableOfNodesWhenAsked) {
     const ScratchFolder folder;
     const Ran ran = render("cornell", folder / "a.png", {"--table"});
     ASSERT_EQ(ran.code, 0) << ran.err;
-    for (const char* row : {"gbuffer", "photon_trace", "tile_bin", "gather", "upsample", "frame"})
+    for (const char* row :
+         {"gbuffer", "photon_trace", "irradiance_grid", "gather", "upsample", "frame"})
         EXPECT_NE(ran.out.find(std::string("\n") + row + " "), std::string::npos) << ran.out;
 }
 

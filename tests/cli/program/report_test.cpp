@@ -28,8 +28,8 @@ TEST(Report, HasTheKeysThatTheContractNames) {
     const Json report = reportOf({"--frames", "3", "--warmup", "1"});
     const std::set<std::string> statistics{"mean", "stddev", "median", "p95", "min", "max"};
     expectKeys(report, {"device", "driver", "scene", "size", "pipeline", "settings", "frames",
-                        "frame_ms", "nodes", "photons", "tiles", "gather", "lights", "accel",
-                        "memory", "valid", "validation", "validation_messages"});
+                        "frame_ms", "nodes", "photons", "tiles", "gather", "grid", "lights",
+                        "accel", "memory", "valid", "validation", "validation_messages"});
     expectKeys(report["frame_ms"], statistics);
     for (const Json& node : report["nodes"]) {
         expectKeys(node, {"name", "gpu_ms", "cpu_record_ms"});
@@ -41,6 +41,7 @@ TEST(Report, HasTheKeysThatTheContractNames) {
                 "escaped_watts", "in_flight_watts", "roulette_watts"});
     expectKeys(report["tiles"], {"pairs", "dropped", "max_in_tile"});
     expectKeys(report["gather"], {"pixels_recomputed"});
+    expectKeys(report["grid"], {"cells", "dropped"});
     expectKeys(report["lights"], {"cut_off_watts"});
     expectKeys(report["accel"], {"triangles", "blas", "refits", "rebuilds", "refit_ms",
                                  "rebuild_ms", "sah_ratio_max"});
@@ -69,8 +70,8 @@ TEST(Report, NamesNodesAsTheContractDoesAndTheirSumIsTheFrame) {
         EXPECT_TRUE(names.insert(name).second) << name << " twice";
         sum += node["gpu_ms"]["mean"].get<double>();
     }
-    for (const char* name : {"gbuffer", "sphere_direct", "shadow", "photon_trace", "tile_bin",
-                             "gather", "upsample", "composite"})
+    for (const char* name : {"gbuffer", "sphere_direct", "shadow", "photon_trace",
+                             "irradiance_grid", "gather", "upsample", "composite"})
         EXPECT_TRUE(names.contains(name)) << name;
     const double frame = report["frame_ms"]["mean"];
     EXPECT_NEAR(sum, frame, 0.1 * frame);
@@ -82,7 +83,7 @@ TEST(Report, NamesNodesAsTheContractDoesAndTheirSumIsTheFrame) {
 TEST(Report, AccountsForAllEmittedPower) {
     for (const char* pipeline : {"full", "thesis"}) {
         const Json photons = reportOf({"--pipeline", pipeline})["photons"];
-        EXPECT_EQ(photons["paths"], 1000);
+        EXPECT_EQ(photons["paths"], std::string(pipeline) == "full" ? 5000 : 1000);
         EXPECT_GT(photons["stored"], 100);
         for (size_t c = 0; c < 3; ++c) {
             const double emitted = photons["emitted_watts"][c];
@@ -98,15 +99,19 @@ TEST(Report, AccountsForAllEmittedPower) {
 
 TEST(Report, SaysWhatTheFrameWasMadeWith) {
     const Json plain = reportOf()["settings"];
-    EXPECT_EQ(plain["photons"], 1000);
+    EXPECT_EQ(plain["photons"], 5000);
+    EXPECT_EQ(plain["gather"], "final");
     EXPECT_EQ(plain["radius"], 1.0);
     EXPECT_EQ(plain["max_bounces"], 8);
-    EXPECT_EQ(plain["gather_divisor"], 2);
+    EXPECT_EQ(plain["gather_divisor"], 8);
+    const Json tiles = reportOf({"--gather", "tiles"})["settings"];
+    EXPECT_EQ(tiles["photons"], 1000);
+    EXPECT_EQ(tiles["gather_divisor"], 2);
     EXPECT_EQ(plain["seed"], 1);
     EXPECT_EQ(reportOf({"--pipeline", "thesis"})["settings"]["max_bounces"], 1);
     const Json fine = reportOf({"--quality", "fine", "--photons", "500"})["settings"];
     EXPECT_EQ(fine["photons"], 500) << "an option overrides the preset";
-    EXPECT_EQ(fine["gather_divisor"], 1);
+    EXPECT_EQ(fine["gather_divisor"], 4);
     EXPECT_EQ(reportOf({"--pipeline", "thesis", "--quality", "fine"})["settings"]["photons"], 1000)
         << "presets are of full";
 }

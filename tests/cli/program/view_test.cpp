@@ -103,8 +103,8 @@ TEST_F(View, MarksAFrameThatOverflowedAndDrawsTheNextOneRight) {
     // Every photon reaches every tile: the first guess is too small.
     const ScratchFolder folder;
     const auto view =
-        startView({"--radius", "100", "--gather-divisor", "8", "--photons", "300", "--size",
-                   "640x360", "--frames", "3", "--report", folder / "a.json"});
+        startView({"--gather", "tiles", "--radius", "100", "--gather-divisor", "8", "--photons",
+                   "300", "--size", "640x360", "--frames", "3", "--report", folder / "a.json"});
     bool marked = false;
     EXPECT_TRUE(eventually([&] {
         marked =

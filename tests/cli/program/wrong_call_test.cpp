@@ -15,6 +15,9 @@ TEST(WrongCall, NamesWhatIsWrong) {
     expectWrongCall(lampyris({"info", "--size", "1x1"}), "--size");
     expectWrongCall(lampyris({"bench", "binning", "--photons", "50"}), "--photons");
     expectWrongCall(lampyris({"bench", "nodes", "--pipeline", "direct"}), "--pipeline");
+    expectWrongCall(lampyris({"bench", "nodes", "--spp", "4"}), "--spp");
+    expectWrongCall(lampyris({"bench", "parameter-scaling", "--radius", "1"}), "--radius");
+    expectWrongCall(lampyris({"bench", "scene-complexity", "--reference", "a.exr"}), "--reference");
 }
 
 TEST(WrongCall, LeavesNoFile) {
@@ -43,8 +46,13 @@ TEST(WrongCall, LeavesNoFile) {
         {{"--pipeline", "fast"}, "fast"},
         {{"--quality", "best"}, "best"},
         {{"--gather", "both"}, "both"},
-        {{"--gather", "final"}, "not available"},
-        {{"--history", "4"}, "--history"},
+        {{"--gather", "final", "--pipeline", "thesis"}, "needs full"},
+        {{"--gather-rays", "0"}, "--gather-rays"},
+        {{"--shadow-rays", "32"}, "--shadow-rays"},
+        {{"--shadow-divisor", "0"}, "--shadow-divisor"},
+        {{"--filter-levels", "9"}, "--filter-levels"},
+        {{"--history", "4", "--gather", "tiles"}, "--history"},
+        {{"--history", "-1"}, "--history"},
         {{"--reseed", "maybe"}, "maybe"},
         {{"--retrace", "none"}, "none"},
         {{"--tonemap", "aces"}, "aces"},

@@ -70,6 +70,7 @@ TEST_F(ClosedForms, ALightThatTheHorizonCutsIsNotInShadow) {
 TEST_F(ClosedForms, GathersAtFullResolutionBeyondOneRowOfWorkgroups) {
     const scene::SceneSnapshot snapshot = test::builtinSnapshot("cornell");
     auto wanted = request(2904, 1448, snapshot.cameras.front());
+    wanted.settings.gather = photon_gi::Gather::Tiles;
     wanted.settings.photonPaths = 100;
     wanted.settings.maxBounces = 1;
     wanted.settings.gatherDivisor = 1;
@@ -95,6 +96,8 @@ class IntegratingSphere : public test::FrameTest, public ::testing::WithParamInt
         auto wanted = request(64, 64, lookFrom({0.0f, 0.0f, 0.5f}, {0.1f, 0.05f, -1.0f}, 70.0f));
         wanted.settings.photonPaths = 60000;
         wanted.settings.radiusMetres = 0.2f;
+        wanted.settings.gatherDivisor = 1;
+        wanted.settings.gatherRays = 16;
         wanted.settings.maxBounces = bounces;
         const auto e = render(snapshot, wanted, "irradiance_indirect");
         EXPECT_LT(e.report.energy.relativeError(), 1e-4);

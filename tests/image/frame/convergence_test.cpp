@@ -18,6 +18,7 @@ class Convergence : public test::FrameTest {
             request(48, 48, test::lookFrom({0.0f, 9.8f, 0.5f}, {0.0f, 0.0f, 0.501f}, 48.0f));
         wanted.settings.photonPaths = paths;
         wanted.settings.radiusMetres = radius;
+        wanted.settings.gather = photon_gi::Gather::Tiles;
         wanted.settings.gatherDivisor = 1;
         auto executor = test::need(execute::Executor::create(device()));
         photon_gi::Renderer renderer(executor);

@@ -77,20 +77,28 @@ double relativeDifference(const core::Image& irradiance, const core::Image& trut
 class GroundTruth : public test::FrameTest {
  protected:
     /// Draws the file's scene as the truth was drawn: 480 × 270, its camera, all Lambertian.
-    static core::Image draw(uint32_t bounces, const std::string& outputNode) {
+    static core::Image draw(uint32_t bounces, photon_gi::Gather gather,
+                            const std::string& outputNode) {
         const ecs::World world = test::need(scene::loadScene((kTruth / "cornell.glb").string()));
         const auto snapshot = scene::extract(world, {}, 0);
         auto wanted = request(480, 270, snapshot.cameras.front());
         wanted.settings.maxBounces = bounces;
-        wanted.settings.photonPaths = outputNode == "irradiance_direct" ? 100 : 2'000'000;
-        wanted.settings.radiusMetres = 0.25f;
+        const bool tiles = gather == photon_gi::Gather::Tiles;
+        wanted.settings.gather = gather;
+        wanted.settings.photonPaths = outputNode == "irradiance_direct" ? 100
+                                      : tiles                           ? 2'000'000
+                                                                        : 500'000;
+        wanted.settings.radiusMetres = tiles ? 0.25f : 0.5f;
+        wanted.settings.gatherDivisor = 2;
+        wanted.settings.gatherRays = 64;
+        wanted.settings.shadowDivisor = 1;
         return render(snapshot, wanted, outputNode).image;
     }
 };
 
 class DirectTruth : public GroundTruth {
     void TestBody() override {
-        EXPECT_LT(relativeDifference(draw(1, "irradiance_direct"),
+        EXPECT_LT(relativeDifference(draw(1, photon_gi::Gather::Tiles, "irradiance_direct"),
                                      readPfm(kTruth / "cornell.n2.direct.pfm")),
                   0.02);
     }
@@ -98,16 +106,18 @@ class DirectTruth : public GroundTruth {
 
 class IndirectTruth : public GroundTruth {
  public:
-    IndirectTruth(uint32_t bounces, std::string file) : bounces_(bounces), file_(std::move(file)) {}
+    IndirectTruth(uint32_t bounces, photon_gi::Gather gather, std::string file)
+        : bounces_(bounces), gather_(gather), file_(std::move(file)) {}
 
  private:
     // Blocks of the truth carry 1.5 to 1.8 % of noise, and the estimate some bias of its radius.
     void TestBody() override {
-        EXPECT_LT(
-            relativeDifference(draw(bounces_, "irradiance_indirect"), readPfm(kTruth / file_)),
-            0.03);
+        EXPECT_LT(relativeDifference(draw(bounces_, gather_, "irradiance_indirect"),
+                                     readPfm(kTruth / file_)),
+                  0.03);
     }
     uint32_t bounces_;
+    photon_gi::Gather gather_;
     std::string file_;
 };
 
@@ -115,12 +125,21 @@ class IndirectTruth : public GroundTruth {
 const bool kRegistered = [] {
     if (!std::filesystem::exists(kTruth / "cornell.n8.indirect.pfm")) return false;
     const auto add = [](const char* name, auto make) {
+        // GoogleTest owns what it registers.
+        // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks)
         ::testing::RegisterTest("GroundTruth", name, nullptr, nullptr, __FILE__, __LINE__,
                                 [make]() -> GroundTruth* { return make(); });
     };
     add("DirectLight", [] { return new DirectTruth; });
-    add("OneBounce", [] { return new IndirectTruth(1, "cornell.n2.indirect.pfm"); });
-    add("SevenBounces", [] { return new IndirectTruth(7, "cornell.n8.indirect.pfm"); });
+    using photon_gi::Gather;
+    add("OneBounceFromTiles",
+        [] { return new IndirectTruth(1, Gather::Tiles, "cornell.n2.indirect.pfm"); });
+    add("SevenBouncesFromTiles",
+        [] { return new IndirectTruth(7, Gather::Tiles, "cornell.n8.indirect.pfm"); });
+    add("OneBounceByRays",
+        [] { return new IndirectTruth(1, Gather::Final, "cornell.n2.indirect.pfm"); });
+    add("SevenBouncesByRays",
+        [] { return new IndirectTruth(7, Gather::Final, "cornell.n8.indirect.pfm"); });
     return true;
 }();
 

@@ -1,0 +1,119 @@
+#include "photon_gi/final_gather.h"
+
+#include "photon_gi/shaders.h"
+#include "shared/tile_bin.h"
+
+namespace lampyris::photon_gi {
+namespace {
+
+shared::GatherParams finalParams(const shared::View& view, const FinalGatherSettings& settings,
+                                 uint32_t step = 1) {
+    const graph::Extent coarse = coarseSize(view, settings.divisor);
+    shared::GatherParams params{};
+    params.divisor = settings.divisor;
+    params.coarseWidth = coarse.width;
+    params.coarseHeight = coarse.height;
+    params.rays = settings.rays;
+    params.seed = settings.seed;
+    params.step = step;
+    return params;
+}
+
+void bindCoarse(graph::ComputeNode& node, const CoarseIrradiance& coarse) {
+    node.sample(shared::SLOT_FINAL_COARSE_IN, coarse.irradiance)
+        .sample(shared::SLOT_FINAL_GUIDE_IN, coarse.guide);
+}
+
+graph::Image addEdgePixels(graph::Frame& frame, const deferred::Surface& surface,
+                           const GatherWorld& world, const CoarseIrradiance& coarse,
+                           const EdgeList& edges, graph::Image irradiance,
+                           const FinalGatherSettings& settings) {
+    auto node = frame.compute("upsample/edges", shaders::finalEdges);
+    deferred::bindSurface(node, surface);
+    photons::bindGrid(node, world.grid, world.scene, world.accel);
+    bindCoarse(node, coarse);
+    node.read(shared::SLOT_GATHER_COUNTERS, edges.counters)
+        .read(shared::SLOT_GATHER_LIST, edges.list)
+        .push(finalParams(surface.view, settings));
+    irradiance = node.update(shared::SLOT_GATHER_IRRADIANCE, irradiance);
+    node.dispatchIndirect(edges.groups);
+    return irradiance;
+}
+
+}  // namespace
+
+CoarseIrradiance addFinalGather(graph::Frame& frame, const deferred::Surface& surface,
+                                const GatherWorld& world, const FinalGatherSettings& settings) {
+    const graph::Extent size = coarseSize(surface.view, settings.divisor);
+    auto node = frame.compute("gather", shaders::finalGather);
+    deferred::bindSurface(node, surface);
+    photons::bindGrid(node, world.grid, world.scene, world.accel);
+    node.push(finalParams(surface.view, settings));
+    CoarseIrradiance coarse;
+    coarse.irradiance =
+        node.write(shared::SLOT_FINAL_COARSE,
+                   frame.image("coarse irradiance", {graph::Format::RGBA16Float, size}));
+    coarse.guide = node.write(shared::SLOT_FINAL_GUIDE,
+                              frame.image("gather guide", {graph::Format::RGBA32Uint, size}));
+    node.dispatchOver(size);
+    return coarse;
+}
+
+CoarseIrradiance addFinalHistory(graph::Frame& frame, const deferred::Surface& surface,
+                                 const CoarseIrradiance& newest, const GatherPast& past,
+                                 const FinalGatherSettings& settings) {
+    auto node = frame.compute("gather/history", shaders::finalHistory);
+    bindCoarse(node, newest);
+    node.uniformData(shared::SLOT_VIEW, surface.view)
+        .uniformData(shared::SLOT_HISTORY_PARAMS,
+                     shared::HistoryParams{past.worldToClipBefore, past.frames, 0, 0, 0})
+        .sample(shared::SLOT_HISTORY_BEFORE, past.mean.previous)
+        .sample(shared::SLOT_HISTORY_GUIDE_BEFORE, past.guide.previous)
+        .push(finalParams(surface.view, settings));
+    CoarseIrradiance mean;
+    mean.irradiance = node.write(shared::SLOT_FINAL_COARSE, past.mean.current);
+    mean.guide = node.write(shared::SLOT_FINAL_GUIDE, past.guide.current);
+    node.dispatchOver(coarseSize(surface.view, settings.divisor));
+    return mean;
+}
+
+CoarseIrradiance addFinalFilter(graph::Frame& frame, const deferred::Surface& surface,
+                                CoarseIrradiance coarse, const FinalGatherSettings& settings) {
+    const graph::Extent size = coarseSize(surface.view, settings.divisor);
+    for (uint32_t level = 0; level < settings.filterLevels; ++level) {
+        auto node = frame.compute("gather/filter", shaders::finalFilter);
+        bindCoarse(node, coarse);
+        node.uniformData(shared::SLOT_VIEW, surface.view)
+            .push(finalParams(surface.view, settings, 1u << level));
+        coarse.irradiance =
+            node.write(shared::SLOT_FINAL_COARSE,
+                       frame.image("filtered irradiance", {graph::Format::RGBA16Float, size}));
+        node.dispatchOver(size);
+    }
+    return coarse;
+}
+
+JoinedIrradiance addFinalUpsample(graph::Frame& frame, const deferred::Surface& surface,
+                                  const GatherWorld& world, const CoarseIrradiance& coarse,
+                                  graph::Buffer counters, const FinalGatherSettings& settings) {
+    const graph::Extent size{surface.view.width, surface.view.height};
+    const uint64_t pixels = uint64_t{size.width} * size.height;
+    auto node = frame.compute("upsample", shaders::finalUpsample);
+    deferred::bindSurface(node, surface);
+    bindCoarse(node, coarse);
+    node.push(finalParams(surface.view, settings));
+    JoinedIrradiance joined;
+    joined.irradiance =
+        node.write(shared::SLOT_GATHER_IRRADIANCE,
+                   frame.image("indirect irradiance", {graph::Format::RGBA16Float, size}));
+    joined.edges.list = node.write(shared::SLOT_GATHER_LIST,
+                                   frame.buffer("edge list", {pixels * sizeof(uint32_t)}));
+    joined.edges.counters = node.update(shared::SLOT_GATHER_COUNTERS, counters);
+    node.dispatchOver(coarseBlocks(surface.view, settings.divisor));
+    joined.edges.groups = addEdgeGroups(frame, joined.edges.counters);
+    joined.irradiance =
+        addEdgePixels(frame, surface, world, coarse, joined.edges, joined.irradiance, settings);
+    return joined;
+}
+
+}  // namespace lampyris::photon_gi

@@ -1,0 +1,18 @@
+// The irradiance that the grid has for a cell: W/m², 0 where no photon fell.
+#ifndef LAMPYRIS_LIB_GRID_LOOK_UP
+#define LAMPYRIS_LIB_GRID_LOOK_UP
+#include "lib/irradiance_grid.glsl"
+
+layout(set = 0, binding = SLOT_GRID_LOOK_UP) uniform usamplerBuffer gridLookUp;
+
+vec3 gridIrradiance(Cell cell) {
+    uvec2 key = hashCell(cell);
+    for (uint probe = 0u; probe < GRID_MOST_PROBES; ++probe) {
+        uvec4 found = texelFetch(gridLookUp, int((key.x + probe) & grid.slotMask));
+        if (found.w == key.y) return uintBitsToFloat(found.xyz);
+        if (found.w == 0u) break;
+    }
+    return vec3(0.0);
+}
+
+#endif

@@ -1,0 +1,25 @@
+// How far a low-resolution texel stands for another place of a surface: same way up, same plane.                 [F2]
+#ifndef LAMPYRIS_LIB_JOINT_WEIGHT
+#define LAMPYRIS_LIB_JOINT_WEIGHT
+#include "lib/pack.glsl"
+
+struct Place {
+    vec3 position;  // world, metres; far out where there is no surface
+    vec3 normal;
+};
+
+const uvec4 kNoPlace = uvec4(0x7149f2cau);  // 1e30, and some normal
+
+Place placeOf(uvec4 guide) { return Place(uintBitsToFloat(guide.xyz), unpackDirection(guide.w)); }
+
+// spacing: metres between two texels.
+float jointWeight(vec3 position, vec3 normal, Place other, float spacing) {
+    float same = max(dot(normal, other.normal), 0.0);
+    same *= same;
+    same *= same;
+    // [chosen] Half a texel off the tangent plane is another surface; a curved one bends no more within a texel.
+    float off = abs(dot(normal, other.position - position)) / (0.5 * spacing);
+    return same * same * max(1.0 - off, 0.0);
+}
+
+#endif

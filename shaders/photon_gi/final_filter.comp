@@ -1,0 +1,39 @@
+// One level of an edge-stopping à-trous filter over low-resolution irradiance [Dammertz et al. 2010]. The levels past
+// the first fade as frames come together in the mean (a): noise falls, and blur would remain.                     [F3]
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/gather_grid.glsl"
+#include "lib/joint_weight.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform sampler2D irradiance;
+layout(set = 0, binding = SLOT_FINAL_GUIDE_IN) uniform usampler2D guide;
+layout(set = 0, binding = SLOT_FINAL_COARSE, rgba16f) uniform writeonly image2D filtered;
+
+const float kSpline[3] = float[3](6.0 / 16.0, 4.0 / 16.0, 1.0 / 16.0);
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = ivec2(params.coarseWidth, params.coarseHeight);
+    if (any(greaterThanEqual(texel, size))) return;
+    Place own = placeOf(texelFetch(guide, texel, 0));
+    float z = -(view.worldToView * vec4(own.position, 1.0)).z;
+    float spacing = pixelFootprint(z) * float(params.divisor * params.step);
+    vec4 middle = texelFetch(irradiance, texel, 0);
+    float others = params.step > 1u ? 1.0 / max(middle.a, 1.0) : 1.0;
+    vec3 sum = vec3(0.0);
+    float total = 0.0;
+    for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x) {
+            ivec2 at = texel + ivec2(x, y) * int(params.step);
+            bool inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size));
+            at = clamp(at, ivec2(0), size - 1);
+            float weight = kSpline[abs(x)] * kSpline[abs(y)] *
+                           jointWeight(own.position, own.normal, placeOf(texelFetch(guide, at, 0)), spacing);
+            if (!inside) weight = 0.0;
+            if (x != 0 || y != 0) weight *= others;
+            sum += weight * texelFetch(irradiance, at, 0).rgb;
+            total += weight;
+        }
+    imageStore(filtered, texel, vec4(total > 0.0 ? sum / total : vec3(0.0), middle.a));
+}

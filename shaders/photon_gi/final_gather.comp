@@ -1,0 +1,29 @@
+// Indirect irradiance at low resolution, and where each texel stands.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/final_gather.glsl"
+#include "lib/gather_grid.glsl"
+#include "lib/joint_weight.glsl"
+#include "lib/surface.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = SLOT_FINAL_COARSE, rgba16f) uniform writeonly image2D coarse;
+layout(set = 0, binding = SLOT_FINAL_GUIDE, rgba32ui) uniform writeonly uimage2D guide;
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (texel.x >= int(params.coarseWidth) || texel.y >= int(params.coarseHeight)) return;
+    ivec2 pixel = representative(texel);
+    float depth = depthAt(pixel);
+    vec3 irradiance = vec3(0.0);
+    uvec4 place = kNoPlace;
+    if (depth > 0.0) {
+        vec3 position = positionWorld(pixel, depth);
+        vec3 normal = normalAt(pixel);
+        uvec2 random = seedRandom(uint(texel.y) * params.coarseWidth + uint(texel.x), params.seed);
+        irradiance = finalGather(position, viewDepth(depth), normal, params.rays, random);
+        place = uvec4(floatBitsToUint(position), packDirection(normal));
+    }
+    imageStore(coarse, texel, vec4(min(irradiance, vec3(65504.0)), 1.0));
+    imageStore(guide, texel, place);
+}

@@ -1,0 +1,55 @@
+// The mean of the last frames' irradiance at each texel's place, found where that place was seen in the frame before.
+// a = frames in the mean.                                                                                       [F4]
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/gather_grid.glsl"
+#include "lib/joint_weight.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform sampler2D irradiance;
+layout(set = 0, binding = SLOT_FINAL_GUIDE_IN) uniform usampler2D guide;
+layout(set = 0, binding = SLOT_HISTORY_PARAMS, std140) uniform HistoryBlock { HistoryParams past; };
+layout(set = 0, binding = SLOT_HISTORY_BEFORE) uniform sampler2D meanBefore;
+layout(set = 0, binding = SLOT_HISTORY_GUIDE_BEFORE) uniform usampler2D guideBefore;
+layout(set = 0, binding = SLOT_FINAL_COARSE, rgba32f) uniform writeonly image2D mean;
+layout(set = 0, binding = SLOT_FINAL_GUIDE, rgba32ui) uniform writeonly uimage2D guideKept;
+
+// [chosen] Of the weight that texels on the same plane would have.
+const float kLeastWeight = 0.05;
+
+// Mean and number of frames at a place of the world, as the frame before left them; a = 0 where it did not see it.
+vec4 rememberedAt(Place place) {
+    vec4 clip = past.worldToClipBefore * vec4(place.position, 1.0);
+    if (clip.w <= 0.0) return vec4(0.0);
+    vec2 pixel = (clip.xy / clip.w * 0.5 + 0.5) * vec2(view.width, view.height);
+    vec2 at = (pixel - 0.5 - float(params.divisor / 2u)) / float(params.divisor);
+    vec2 f = fract(at);
+    float spacing = pixelFootprint(clip.w) * float(params.divisor);
+    vec4 sum = vec4(0.0);
+    float total = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = ivec2(i & 1, i >> 1);
+        ivec2 texel = ivec2(floor(at)) + corner;
+        bool inside = all(greaterThanEqual(texel, ivec2(0))) &&
+                      all(lessThan(texel, ivec2(params.coarseWidth, params.coarseHeight)));
+        texel = clamp(texel, ivec2(0), ivec2(params.coarseWidth, params.coarseHeight) - 1);
+        vec2 bilinear = mix(1.0 - f, f, vec2(corner));
+        Place before = placeOf(texelFetch(guideBefore, texel, 0));
+        float weight = bilinear.x * bilinear.y * jointWeight(place.position, place.normal, before, spacing);
+        if (!inside) weight = 0.0;
+        sum += weight * texelFetch(meanBefore, texel, 0);
+        total += weight;
+    }
+    return total >= kLeastWeight ? sum / total : vec4(0.0);
+}
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (texel.x >= int(params.coarseWidth) || texel.y >= int(params.coarseHeight)) return;
+    uvec4 own = texelFetch(guide, texel, 0);
+    imageStore(guideKept, texel, own);
+    vec4 remembered = past.mostFrames > 0u ? rememberedAt(placeOf(own)) : vec4(0.0);
+    float frames = min(floor(remembered.a + 0.5), float(past.mostFrames)) + 1.0;
+    vec3 newest = texelFetch(irradiance, texel, 0).rgb;
+    imageStore(mean, texel, vec4(mix(remembered.rgb, newest, 1.0 / frames), frames));
+}

@@ -1,0 +1,184 @@
+// The final gather against the reference and against what must hold.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "evaluation/rel_mse.h"
+#include "reference/reference.h"
+#include "support/frame_test.h"
+#include "support/small_scenes.h"
+
+namespace lampyris {
+namespace {
+
+class FinalGather : public test::FrameTest {
+ protected:
+    static double meanOf(const core::Image& image) {
+        double sum = 0.0;
+        for (size_t i = 1; i < image.values.size(); i += image.channels)
+            sum += static_cast<double>(image.values[i]);
+        return sum / (static_cast<double>(image.values.size()) / image.channels);
+    }
+    /// relMSE.
+    static double errorOf(const core::Image& image, const core::Image& truth) {
+        const auto a = test::need(evaluation::fromLinear("image", image, {}));
+        const auto b = test::need(evaluation::fromLinear("truth", truth, {}));
+        return test::need(evaluation::relMse(a, b)).value;
+    }
+};
+
+TEST_F(FinalGather, TendsToTheReferenceAtEveryStep) {
+    const auto snapshot = test::builtinSnapshot("cornell");
+    const auto& camera = snapshot.cameras.front();
+    reference::Settings exact;
+    exact.width = 96;
+    exact.height = 54;
+    exact.samplesPerPixel = 1024;
+    const auto truth = test::need(reference::render(snapshot, camera, exact));
+    double last = 1e9;
+    for (uint32_t step = 0; step < 6; ++step) {
+        auto wanted = request(exact.width, exact.height, camera);
+        wanted.settings.gatherDivisor = 1;
+        wanted.settings.filterLevels = 0;
+        wanted.settings.gatherRays = 8u << step;
+        wanted.settings.photonPaths = 1000u << (2 * step);
+        wanted.settings.radiusMetres = 2.0f * std::pow(0.7f, static_cast<float>(step));
+        wanted.settings.gridColumns = 16;
+        const auto drawn = render(snapshot, wanted, "indirect");
+        const double error = errorOf(drawn.image, truth.indirect);
+        EXPECT_LT(error, last) << "step " << step;
+        last = error;
+    }
+    EXPECT_LE(last, 0.002);
+}
+
+/// Two closed rooms of 4 m, a wall of 5 cm between them, light in the left one alone.
+scene::SceneSnapshot twoCells() {
+    scene::SceneSnapshot snapshot;
+    const auto white = test::lambertian(glm::vec3(0.7f));
+    const auto room = [&](float x0, float x1) {
+        const auto add = [&](glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
+            test::addInstance(snapshot, test::quad(a, b, c, d), white);
+        };
+        add({x0, 0, 2}, {x1, 0, 2}, {x1, 0, -2}, {x0, 0, -2});
+        add({x0, 3, -2}, {x1, 3, -2}, {x1, 3, 2}, {x0, 3, 2});
+        add({x0, 0, -2}, {x1, 0, -2}, {x1, 3, -2}, {x0, 3, -2});
+        add({x1, 0, 2}, {x0, 0, 2}, {x0, 3, 2}, {x1, 3, 2});
+        add({x0, 0, 2}, {x0, 0, -2}, {x0, 3, -2}, {x0, 3, 2});
+        add({x1, 0, -2}, {x1, 0, 2}, {x1, 3, 2}, {x1, 3, -2});
+    };
+    room(-4.025f, -0.025f);
+    room(0.025f, 4.025f);
+    test::addLight(snapshot, {-1.5f, 2.0f, 0.0f}, 0.1f, 200.0f);
+    return snapshot;
+}
+
+TEST_F(FinalGather, LightDoesNotLeakThroughAWallOfFiveCentimetres) {
+    const auto snapshot = twoCells();
+    const auto meanSeen = [&](float x, float target) {
+        double sum = 0.0;
+        for (uint32_t seed = 1; seed <= 4; ++seed) {
+            auto wanted =
+                request(160, 96, test::lookFrom({x, 1.5f, 0.0f}, {target, 1.0f, 0.0f}, 80.0f));
+            wanted.settings.seed = seed;
+            sum += meanOf(render(snapshot, wanted, "irradiance_indirect").image);
+        }
+        return sum;
+    };
+    const double before = meanSeen(-3.5f, 0.0f);
+    const double behind = meanSeen(3.5f, 0.0f);
+    EXPECT_GT(before, 1.0);
+    EXPECT_LT(behind, 0.005 * before);
+}
+
+TEST_F(FinalGather, AMeanOverFramesHasLessNoiseAndKeepsTheLight) {
+    const auto snapshot = test::builtinSnapshot("cornell");
+    auto executor = test::need(execute::Executor::create(device()));
+    photon_gi::Renderer renderer(executor);
+    test::need(renderer.update(snapshot));
+    auto wanted = request(160, 90, snapshot.cameras.front());
+    wanted.settings.history = 16;
+    const auto draw = [&](uint64_t frame) {
+        wanted.frameNumber = frame;
+        return render(renderer, wanted, "indirect").image;
+    };
+    // The truth: many paths and rays, one level of the filter.
+    auto many = wanted;
+    many.settings.history = 0;
+    many.settings.photonPaths = 300000;
+    many.settings.gatherRays = 64;
+    many.settings.filterLevels = 1;
+    const auto truth = render(snapshot, many, "indirect").image;
+    const double alone = errorOf(draw(0), truth);
+    core::Image last;
+    for (uint64_t frame = 1; frame < 16; ++frame) last = draw(frame);
+    EXPECT_LT(errorOf(last, truth), 0.4 * alone);
+    EXPECT_NEAR(meanOf(last), meanOf(truth), 0.03 * meanOf(truth));
+}
+
+TEST_F(FinalGather, ARemovedLightLeavesNoneBehind) {
+    auto snapshot = test::builtinSnapshot("cornell");
+    test::addLight(snapshot, {0.0f, 0.3f, 3.5f}, 0.1f, 300.0f);
+    snapshot.lightVersion = 100;
+    auto executor = test::need(execute::Executor::create(device()));
+    photon_gi::Renderer renderer(executor);
+    test::need(renderer.update(snapshot));
+    auto wanted = request(160, 90, snapshot.cameras.front());
+    wanted.settings.history = 32;
+    const auto draw = [&] {
+        ++wanted.frameNumber;
+        return render(renderer, wanted, "irradiance_indirect").image;
+    };
+    for (int i = 0; i < 3; ++i) EXPECT_GT(meanOf(draw()), 0.1);
+    snapshot.lights.clear();
+    snapshot.lightVersion = 101;
+    test::need(renderer.update(snapshot));
+    EXPECT_EQ(meanOf(draw()), 0.0);
+}
+
+TEST_F(FinalGather, ACameraThatMovesFindsItsPastAgain) {
+    const auto snapshot = test::builtinSnapshot("cornell");
+    auto executor = test::need(execute::Executor::create(device()));
+    photon_gi::Renderer renderer(executor);
+    test::need(renderer.update(snapshot));
+    const auto ask = [&](int step, uint32_t history) {
+        const float x = 0.05f * static_cast<float>(step);
+        auto wanted = request(320, 180, test::lookFrom({x, 5.0f, 12.0f}, {x, 5.0f, 0.0f}));
+        wanted.frameNumber = static_cast<uint64_t>(step);
+        wanted.settings.history = history;
+        return wanted;
+    };
+    core::Image moving;
+    for (int step = 0; step <= 12; ++step)
+        moving = render(renderer, ask(step, 16), "indirect").image;
+    auto many = ask(12, 0);
+    many.settings.photonPaths = 300000;
+    many.settings.gatherRays = 64;
+    many.settings.filterLevels = 1;
+    const auto truth = render(snapshot, many, "indirect").image;
+    const auto alone = render(snapshot, ask(12, 0), "indirect").image;
+    EXPECT_LT(errorOf(moving, truth), 0.5 * errorOf(alone, truth));
+}
+
+TEST_F(FinalGather, LowResolutionShadowsAreThoseOfManyRaysAPixel) {
+    const auto snapshot = test::builtinSnapshot("cornell");
+    auto wanted = request(640, 360, snapshot.cameras.front());
+    wanted.settings.pipeline = photon_gi::Pipeline::Direct;
+    const auto few = render(snapshot, wanted, "direct").image;
+    wanted.settings.shadowDivisor = 1;
+    wanted.settings.shadowRays = 31;
+    const auto many = render(snapshot, wanted, "direct").image;
+    const core::DisplayTransform display{-1.0f, core::Tonemap::Clip};
+    const auto a = core::toDisplay(few, display);
+    const auto b = core::toDisplay(many, display);
+    double squares = 0.0;
+    for (size_t i = 0; i < a.values.size(); ++i) {
+        const double d = static_cast<double>(a.values[i]) - static_cast<double>(b.values[i]);
+        squares += d * d;
+    }
+    // At 1280x720 it is 0.5 [measured]: what lies between texels is half as large.
+    EXPECT_LT(squares / static_cast<double>(a.values.size()), 1.6);
+}
+
+}  // namespace
+}  // namespace lampyris
