@@ -11,7 +11,7 @@ namespace lampyris::photon_gi {
 
 struct FinalGatherSettings {
     uint32_t divisor = 8;       ///< low resolution, an axis
-    uint32_t rays = 4;          ///< a texel
+    uint32_t rays = 3;          ///< a texel
     uint32_t filterLevels = 1;  ///< of the à-trous filter; 0: none
     uint32_t seed = 1;          ///< of this frame
 };
