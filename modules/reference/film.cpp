@@ -21,7 +21,8 @@ glm::vec3 get(const core::Image& image, size_t pixel) {
 
 /// Samples that sequence `s` of `sequences` got of `samples` in turn.
 double samplesOf(uint32_t s, uint32_t sequences, uint32_t samples) {
-    return static_cast<double>(samples / sequences + (s < samples % sequences ? 1u : 0u));
+    const uint32_t each = samples / sequences;
+    return static_cast<double>(s < samples % sequences ? each + 1 : each);
 }
 
 /// Variance of the mean of all samples, from the sums of independent sequences.

@@ -12,11 +12,11 @@ namespace lampyris::reference {
 namespace {
 
 // Half of an interval, in standard errors. [measured: README]
-constexpr double kTrust = 2.0;
+constexpr double kTrust = 1.5;
 // Discs over which neighbours agree on a size, and over which they pool their variances: a pixel's
 // few sequences do not tell its own. [measured: README]
 constexpr size_t kAgreeDiscs = 2;
-constexpr size_t kPoolDiscs = 4;
+constexpr size_t kPoolDiscs = 2;
 
 /// Where the answer lies by all estimates so far.
 struct Interval {

@@ -30,7 +30,7 @@ struct Frame {
 /// Cosine and sine of a share of the full turn, from 0 to 1: half an ulp or two from the library's,
 /// and a tenth of a path's time less.
 [[nodiscard]] inline glm::vec2 turned(float share) {
-    const auto quarter = static_cast<int>(4.0f * share + 0.5f);
+    const int quarter = (static_cast<int>(8.0f * share) + 1) / 2;  // the nearest
     const float x = (share - 0.25f * static_cast<float>(quarter)) * (2.0f * math::kPi);  // ±π/4
     const float x2 = x * x;
     // Minimax polynomials of the Cephes library (Moshier 1989).
