@@ -41,6 +41,7 @@ struct Preset {
     uint32_t shadowDivisor = 4, shadowRays = 8;
 };
 constexpr Preset kTiles{1000, 1.0f, 2, 0, 0, 0};  // the Thesis's
+constexpr Preset kFineTiles{100000, 0.25f, 1, 0, 0, 0};
 constexpr Preset kFast{4000, 1.0f, 8, 3, 2, 8};
 constexpr Preset kFine{20000, 1.0f, 4, 8, 2, 16};
 
@@ -231,9 +232,9 @@ photon_gi::Settings settingsOf(const Options& o) {
     const bool thesis = o.pipeline == Pipeline::Thesis;
     const auto gather =
         thesis ? photon_gi::Gather::Tiles : o.gather.value_or(photon_gi::Gather::Final);
-    const Preset preset = gather == photon_gi::Gather::Tiles ? kTiles
-                          : o.quality == Quality::Fine       ? kFine
-                                                             : kFast;
+    const bool tiles = gather == photon_gi::Gather::Tiles;
+    const Preset fine = tiles ? kFineTiles : kFine;
+    const Preset preset = !thesis && o.quality == Quality::Fine ? fine : tiles ? kTiles : kFast;
     photon_gi::Settings s;
     s.pipeline = o.pipeline;
     s.photonPaths = o.photons.value_or(preset.photons);

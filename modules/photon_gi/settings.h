@@ -38,6 +38,8 @@ struct Settings {
     uint32_t shadowDivisor = 4;           ///< low resolution of the shadows, an axis
     uint32_t shadowRays = 8;              ///< a texel and light
     uint32_t largestBatch = 0xffffffffu;  ///< paths traced in one go, at most
+
+    bool operator==(const Settings&) const = default;
 };
 
 /// Room for what a frame makes; grows after an overflow.
