@@ -16,8 +16,9 @@ constexpr int kMostTries =
 
 core::Error overflow(const shared::FrameCounters& counters) {
     return core::error(
-        "a frame does not fit: {} photons and {} tile entries were dropped after {} tries",
-        counters.photonsDropped, counters.pairsDropped, kMostTries);
+        "a frame does not fit: {} photons, {} tile entries and {} grid cells were dropped after {} "
+        "tries",
+        counters.photonsDropped, counters.pairsDropped, counters.cellsDropped, kMostTries);
 }
 
 // A frame takes its photons in batches, so this bounds time as much as memory: each path leaves one

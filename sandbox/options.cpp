@@ -41,7 +41,8 @@ struct Preset {
     uint32_t shadowDivisor = 4, shadowRays = 8;
 };
 constexpr Preset kTiles{1000, 1.0f, 2, 0, 0, 0};  // the Thesis's
-constexpr Preset kFast{5000, 1.0f, 8, 4, 2, 8};
+constexpr Preset kFineTiles{100000, 0.25f, 1, 0, 0, 0};
+constexpr Preset kFast{4000, 1.0f, 8, 3, 2, 8};
 constexpr Preset kFine{20000, 1.0f, 4, 8, 2, 16};
 
 template <typename T>
@@ -119,7 +120,7 @@ void addFrameOptions(CLI::App& app, Options& o) {
     addChoice(app, "--quality", o.quality, kQualities,
               "preset of full for --photons, --radius and --gather-divisor (fast)");
     app.add_option("--photons", o.photons,
-                   "paths emitted a frame (5000; fine 20000; with tiles 1000)")
+                   "paths emitted a frame (4000; fine 20000; with tiles 1000)")
         ->check(CLI::Range(1u, 0xffffffffu));
     app.add_option("--radius", o.radius,
                    "metres that a photon reaches; the final gather's cells are half as wide (1.0)")
@@ -130,7 +131,7 @@ void addFrameOptions(CLI::App& app, Options& o) {
     addChoice(app, "--gather", o.gather, kGathers,
               "how indirect light is looked up: photons binned to tiles, or a final gather "
               "(full: final, thesis: tiles)");
-    app.add_option("--gather-rays", o.gatherRays, "final gather: rays a texel (4; fine 8)")
+    app.add_option("--gather-rays", o.gatherRays, "final gather: rays a texel (3; fine 8)")
         ->check(CLI::Range(1u, kMaxGatherRays));
     app.add_option("--filter-levels", o.filterLevels, "final gather: levels of the filter (2)")
         ->check(CLI::Range(0u, kMaxFilterLevels));
@@ -231,9 +232,9 @@ photon_gi::Settings settingsOf(const Options& o) {
     const bool thesis = o.pipeline == Pipeline::Thesis;
     const auto gather =
         thesis ? photon_gi::Gather::Tiles : o.gather.value_or(photon_gi::Gather::Final);
-    const Preset preset = gather == photon_gi::Gather::Tiles ? kTiles
-                          : o.quality == Quality::Fine       ? kFine
-                                                             : kFast;
+    const bool tiles = gather == photon_gi::Gather::Tiles;
+    const Preset fine = tiles ? kFineTiles : kFine;
+    const Preset preset = !thesis && o.quality == Quality::Fine ? fine : tiles ? kTiles : kFast;
     photon_gi::Settings s;
     s.pipeline = o.pipeline;
     s.photonPaths = o.photons.value_or(preset.photons);

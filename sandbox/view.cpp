@@ -90,8 +90,10 @@ class Viewer {
                                outcome.statistics.gpuMilliseconds);
         const shared::FrameCounters& counters = outcome.report.counters;
         return fmt::format(
-            "lampyris: INVALID FRAME, {} photons and {} tile entries dropped, {} in a tile",
-            counters.photonsDropped, counters.pairsDropped, counters.mostInTile);
+            "lampyris: INVALID FRAME, {} photons, {} tile entries and {} grid cells dropped, {} in "
+            "a tile",
+            counters.photonsDropped, counters.pairsDropped, counters.cellsDropped,
+            counters.mostInTile);
     }
 
     const Options& options_;

@@ -21,6 +21,7 @@ Shadows addShadow(graph::Frame& frame, const Surface& surface, const LightLists&
     shadows.params.rays = settings.rays;
     shadows.params.planes = static_cast<uint32_t>(std::bit_width(settings.rays));
     shadows.params.seed = settings.seed;
+    CHECK(settings.rays > 0u);
     CHECK(shadows.params.planes <= shared::SHADOW_MOST_PLANES);
 
     auto node = frame.compute("shadow", shaders::shadow);

@@ -9,14 +9,14 @@
 namespace lampyris::deferred {
 
 struct ShadowSettings {
-    uint32_t divisor = 4;  ///< low resolution, an axis
-    uint32_t rays = 4;     ///< a texel and light, at most 31
-    uint32_t seed = 1;     ///< of this frame
+    uint32_t divisor;  ///< low resolution, an axis
+    uint32_t rays;     ///< a texel and light, from 1 to 31
+    uint32_t seed;     ///< of this frame
 };
 
 struct Shadows {
     /// R32Uint, `planes` layers for 32 lights: layer k holds bit k of the number of rays that see
-    /// each. Invalid: there are no shadows.
+    /// each.
     graph::Image counts{};
     graph::Image guide{};  ///< RGBA32Uint: position as float bits, normal octahedral
     shared::DirectParams params{};

@@ -1,5 +1,6 @@
 #include "photon_gi/final_gather.h"
 
+#include "core/check.h"
 #include "photon_gi/shaders.h"
 #include "shared/tile_bin.h"
 
@@ -44,6 +45,7 @@ graph::Image addEdgePixels(graph::Frame& frame, const deferred::Surface& surface
 
 CoarseIrradiance addFinalGather(graph::Frame& frame, const deferred::Surface& surface,
                                 const GatherWorld& world, const FinalGatherSettings& settings) {
+    CHECK(settings.rays > 0u);
     const graph::Extent size = coarseSize(surface.view, settings.divisor);
     auto node = frame.compute("gather", shaders::finalGather);
     deferred::bindSurface(node, surface);
@@ -52,7 +54,7 @@ CoarseIrradiance addFinalGather(graph::Frame& frame, const deferred::Surface& su
     CoarseIrradiance coarse;
     coarse.irradiance =
         node.write(shared::SLOT_FINAL_COARSE,
-                   frame.image("coarse irradiance", {graph::Format::RGBA16Float, size}));
+                   frame.image("coarse irradiance", {graph::Format::RGBA32Float, size}));
     coarse.guide = node.write(shared::SLOT_FINAL_GUIDE,
                               frame.image("gather guide", {graph::Format::RGBA32Uint, size}));
     node.dispatchOver(size);
@@ -87,7 +89,7 @@ CoarseIrradiance addFinalFilter(graph::Frame& frame, const deferred::Surface& su
             .push(finalParams(surface.view, settings, 1u << level));
         coarse.irradiance =
             node.write(shared::SLOT_FINAL_COARSE,
-                       frame.image("filtered irradiance", {graph::Format::RGBA16Float, size}));
+                       frame.image("filtered irradiance", {graph::Format::RGBA32Float, size}));
         node.dispatchOver(size);
     }
     return coarse;

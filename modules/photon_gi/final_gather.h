@@ -1,7 +1,7 @@
 /// \file final gather: indirect irradiance by a few rays a texel into the irradiance grid, filtered
 /// and joined to full resolution.
 ///   in      surface, irradiance grid, BVH       out   irradiance, W/m², and the pixels done anew
-///   shader  photon_gi/final_*.comp              theory  README [F1] to [F3]
+///   shader  photon_gi/final_*.comp              theory  README [F1] to [F4]
 #pragma once
 
 #include "photon_gi/gather.h"
@@ -10,10 +10,10 @@
 namespace lampyris::photon_gi {
 
 struct FinalGatherSettings {
-    uint32_t divisor = 8;       ///< low resolution, an axis
-    uint32_t rays = 4;          ///< a texel
-    uint32_t filterLevels = 1;  ///< of the à-trous filter; 0: none
-    uint32_t seed = 1;          ///< of this frame
+    uint32_t divisor;       ///< low resolution, an axis
+    uint32_t rays;          ///< a texel
+    uint32_t filterLevels;  ///< of the à-trous filter; 0: none
+    uint32_t seed;          ///< of this frame
 };
 
 /// Irradiance at low resolution, and where its texels stand.

@@ -59,7 +59,7 @@ CoarseIrradiance addHistory(graph::Frame& f, const FrameInputs& in, const Settin
     past.mean = f.history(kHistoryMean, historyMean(in.view, s), in.past.known);
     past.guide = f.history("gather guide history", guide, in.past.known);
     past.worldToClipBefore = in.past.worldToClip;
-    past.frames = in.past.known && in.past.same ? s.history - 1 : 0;
+    past.frames = in.past.known && in.past.same && s.reseed ? s.history - 1 : 0;
     return addFinalHistory(f, surface, newest, past, gather);
 }
 

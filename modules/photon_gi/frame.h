@@ -14,8 +14,8 @@ namespace lampyris::photon_gi {
 
 /// What the frame before left; see GatherPast.
 struct Past {
-    bool known = false;  ///< there was one, of the same size and settings
-    bool same = false;   ///< and nothing in the scene has changed since
+    bool known = false;  ///< there was one, of the same size
+    bool same = false;   ///< and neither the scene nor the settings have changed since
     glm::mat4 worldToClip{1.0f};
 };
 

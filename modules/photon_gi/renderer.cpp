@@ -89,10 +89,11 @@ void Renderer::makeRoom(const FrameRequest& request) {
 Past Renderer::recall(const shared::View& view, const Settings& settings) {
     Past past;
     past.known = executor_->history().known(kHistoryMean, historyMean(view, settings));
-    past.same = drawnVersion_ == sceneVersion_;
-    past.worldToClip = drawnWorldToClip_;
-    drawnVersion_ = sceneVersion_;
-    drawnWorldToClip_ = view.worldToClip;
+    past.same = drawn_.sceneVersion == sceneVersion_ && drawn_.settings == settings;
+    past.worldToClip = drawn_.worldToClip;
+    const bool keeps = settings.pipeline == Pipeline::Full && settings.gather == Gather::Final &&
+                       settings.history > 0 && settings.maxBounces > 0 && split_.paths > 0;
+    drawn_ = {keeps ? sceneVersion_ : 0, settings, view.worldToClip};
     return past;
 }
 
@@ -160,6 +161,7 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
     readReport(drawn, result.buffers, outcome.report);
     outcome.report.paths = drawn.ledgers.empty() ? 0 : split_.paths;
     outcome.report.valid = !grow(outcome.report.counters);
+    if (!outcome.report.valid) drawn_.sceneVersion = 0;  // its light is not all there
     return outcome;
 }
 

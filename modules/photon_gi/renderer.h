@@ -62,6 +62,8 @@ class Renderer {
 
  private:
     void makeRoom(const FrameRequest& request);
+    /// What the mean over frames may go on from.
+    [[nodiscard]] Past recall(const shared::View& view, const Settings& settings);
     /// Gives the next frame the room that this one lacked. True where something was dropped or cut.
     bool grow(const shared::FrameCounters& counters);
     void shrinkBatches(double share);
@@ -71,12 +73,14 @@ class Renderer {
     accel::AccelOnGpu accel_;
     std::vector<photons::Emitter> emitters_;
     photons::PathSplit split_;
-    /// What the mean over frames may go on from.
-    [[nodiscard]] Past recall(const shared::View& view, const Settings& settings);
-
-    uint64_t sceneVersion_ = 0;  ///< of the last update(), and of the last frame declared
-    uint64_t drawnVersion_ = 0;
-    glm::mat4 drawnWorldToClip_{1.0f};
+    /// What the last frame's mean was made from.
+    struct Drawn {
+        uint64_t sceneVersion = 0;  ///< 0: there is none
+        Settings settings;
+        glm::mat4 worldToClip{1.0f};
+    };
+    Drawn drawn_;
+    uint64_t sceneVersion_ = 0;            ///< of the last update()
     uint32_t largestBatch_ = 0xffffffffu;  ///< paths; halved while a batch's pairs do not fit
     uint32_t lastBatch_ = 0;               ///< the largest of the last frame
     uint32_t mostPairs_ = 0;               ///< that one batch may have at this size

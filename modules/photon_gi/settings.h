@@ -22,12 +22,12 @@ enum class Gather : uint8_t {
 /// Defaults are those of the program's options.
 struct Settings {
     Pipeline pipeline = Pipeline::Full;
-    uint32_t photonPaths = 5000;    ///< emitted a frame
+    uint32_t photonPaths = 4000;    ///< emitted a frame
     float radiusMetres = 1.0f;      ///< of a photon's influence; the grid's cells are half as wide
     uint32_t maxBounces = 8;        ///< `thesis`: 1
     Gather gather = Gather::Final;  ///< `thesis`: tiles
     uint32_t gatherDivisor = 8;     ///< low resolution, an axis
-    uint32_t gatherRays = 4;        ///< final gather: a texel
+    uint32_t gatherRays = 3;        ///< final gather: a texel
     uint32_t filterLevels = 2;      ///< final gather: of the à-trous filter
     uint32_t history = 32;          ///< final gather: most frames in the mean; 0: each stands alone
     uint32_t gridColumns = 8;       ///< final gather: rays that measure a grid cell's surface
@@ -38,6 +38,8 @@ struct Settings {
     uint32_t shadowDivisor = 4;           ///< low resolution of the shadows, an axis
     uint32_t shadowRays = 8;              ///< a texel and light
     uint32_t largestBatch = 0xffffffffu;  ///< paths traced in one go, at most
+
+    bool operator==(const Settings&) const = default;
 };
 
 /// Room for what a frame makes; grows after an overflow.

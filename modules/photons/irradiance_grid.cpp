@@ -1,5 +1,6 @@
 #include "photons/irradiance_grid.h"
 
+#include "core/check.h"
 #include "photons/shaders.h"
 
 namespace lampyris::photons {
@@ -46,6 +47,7 @@ graph::Buffer addAreas(graph::Frame& frame, const GridCells& cells, const Groups
 }  // namespace
 
 GridCells beginGrid(graph::Frame& frame, const GridSettings& settings, float powerScale) {
+    CHECK(settings.columns > 0u);
     const uint64_t tableBytes =
         uint64_t{settings.slots} * shared::GRID_SLOT_WORDS * sizeof(uint32_t);
     const uint32_t capacity = cellsIn(settings.slots);

@@ -32,9 +32,9 @@ struct IrradianceGrid {
     shared::GridParams params{};
 };
 
-/// Cells that a table of that many slots takes: it is kept half empty.
+/// Cells that a table of that many slots takes: so few that none lies GRID_MOST_PROBES slots off.
 [[nodiscard]] constexpr uint32_t cellsIn(uint32_t slots) {
-    return slots / 2;
+    return slots / 4;
 }
 /// The largest table: 128 MiB, Vulkan's guaranteed storage-buffer range.
 constexpr uint32_t kMostGridSlots = 1u << 22;

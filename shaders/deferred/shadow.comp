@@ -26,11 +26,11 @@ void main() {
     if (depth > 0.0) {
         normal = normalAt(pixel);
         vec3 position = positionWorld(pixel, depth);
-        origin = shadowOrigin(position, normal, viewDepth(depth));
+        origin = clearOf(position, normal, viewDepth(depth));
         place = uvec4(floatBitsToUint(position), packDirection(normal));
     }
     imageStore(guide, texel, place);
-    uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed);
+    uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed ^ 0x68bc21ebu);
     for (uint word = 0u; word < params.maskWords; ++word) {
         uint bits[SHADOW_MOST_PLANES] = uint[SHADOW_MOST_PLANES](0u, 0u, 0u, 0u, 0u);
         uint left = depth > 0.0 ? masks[(tile * 2u) * params.maskWords + word] : 0u;

@@ -16,7 +16,7 @@ void main() {
     ivec2 pixel = ivec2(list[place] & 0xffffu, list[place] >> 16);
     float depth = depthAt(pixel);
     ShadedPixel p = beginPixel(pixel, depth);
-    vec3 origin = shadowOrigin(p.position, p.normal, viewDepth(depth));
+    vec3 origin = clearOf(p.position, p.normal, viewDepth(depth));
     uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed ^ 0x9e3779b9u);
     for (uint word = 0u; word < params.maskWords; ++word) {
         uint left = masks[(p.tile * 2u) * params.maskWords + word];

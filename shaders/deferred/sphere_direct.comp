@@ -20,9 +20,10 @@ layout(set = 0, binding = SLOT_SHADOW_LISTED, std430) buffer Listed { uint liste
 // of things are lost between texels: two_rooms, MSE 1.8 at 0.05, 1.2 at 0.6, 1.0 at 0.9 for twice the rays.
 const float kLeastWeight = 0.6;
 
-// Bits of how many rays saw each light of a word; a component a texel.
+// Bits of how many rays saw each light of a word, and whether any was sent; a component a texel.
 struct Counts {
     uvec4 plane[SHADOW_MOST_PLANES];
+    uvec4 traced;
 };
 
 Counts countsOf(ivec2 block, uint word) {
@@ -32,6 +33,10 @@ Counts countsOf(ivec2 block, uint word) {
         if (k < kPlanes)
             for (int i = 0; i < 4; ++i)
                 counts.plane[k][i] = texelFetch(shadowCounts, ivec3(texelOf(block, i), word * kPlanes + k), 0).r;
+    }
+    for (int i = 0; i < 4; ++i) {
+        uvec2 tile = uvec2(representative(texelOf(block, i))) / TILE_PIXELS;
+        counts.traced[i] = masks[((tile.y * view.tilesX + tile.x) * 2u) * params.maskWords + word];
     }
     return counts;
 }
@@ -64,7 +69,8 @@ bool shade(inout ShadedPixel p, ivec2 block, Counts first, vec4 weights) {
             uint bit = uint(findLSB(left));
             left &= left - 1u;
             vec4 shares = sharesSeen(counts, bit);
-            doubt = doubt || inDoubt(shares, same);
+            bvec4 traced = notEqual((counts.traced >> bit) & 1u, uvec4(0u));
+            doubt = doubt || inDoubt(shares, same) || any(greaterThan(uvec4(same), uvec4(traced)));
             addLight(p, word * 32u + bit, dot(weights, shares));
         }
     }

@@ -3,11 +3,11 @@
 #ifndef LAMPYRIS_LIB_FINAL_GATHER
 #define LAMPYRIS_LIB_FINAL_GATHER
 #include "lib/grid_look_up.glsl"
+#include "lib/ray_origin.glsl"
 #include "lib/sampling.glsl"
 
 vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uvec2 random) {
-    // Clear of the surface by more than the depth buffer's and the triangles' rounding.
-    vec3 origin = position + normal * (2e-4 * viewDepth + 1e-5 * length(position));
+    vec3 origin = clearOf(position, normal, viewDepth);
     vec2 shift = random2(random);
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < rays; ++i) {

@@ -43,14 +43,21 @@ uint cellPart(ivec3 at, vec3 position, vec3 normal, vec3 axis) {
     return 1u + dominantAxis(dot(hit.normalWorld, to) > 0.0 ? -hit.normalWorld : hit.normalWorld);
 }
 
+const uint kSideMask = (1u << GRID_FACE_PART_SHIFT) - 1u;
+
+// A face but for its part.
+uint sideOf(vec3 frontNormal, vec3 travel) {
+    bool back = dot(frontNormal, travel) > 0.0;
+    return dominantAxis(back ? -frontNormal : frontNormal) | (back ? GRID_FACE_BACK : 0u);
+}
+
 // The cell of a surface that something met which travelled that way. frontNormal as storedNormal() gives it.
 Cell cellOf(vec3 position, vec3 frontNormal, vec3 travel) {
-    bool back = dot(frontNormal, travel) > 0.0;
-    vec3 normal = back ? -frontNormal : frontNormal;
-    uint axis = dominantAxis(normal);
+    uint side = sideOf(frontNormal, travel);
+    vec3 normal = (side & GRID_FACE_BACK) != 0u ? -frontNormal : frontNormal;
     ivec3 at = cellAt(position);
-    uint part = cellPart(at, position, normal, axisVector(axis >> 1));
-    return Cell(at, axis | (back ? GRID_FACE_BACK : 0u) | (part << GRID_FACE_PART_SHIFT));
+    uint part = cellPart(at, position, normal, axisVector((side & 7u) >> 1));
+    return Cell(at, side | (part << GRID_FACE_PART_SHIFT));
 }
 
 // First slot and fingerprint. Cells wrap after 2^18 an axis; the pairs are a bijection of what is left.

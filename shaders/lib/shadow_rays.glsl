@@ -3,13 +3,9 @@
 #ifndef LAMPYRIS_LIB_SHADOW_RAYS
 #define LAMPYRIS_LIB_SHADOW_RAYS
 #include "lib/bvh_walk.glsl"
+#include "lib/ray_origin.glsl"
 #include "lib/rng.glsl"
 #include "lib/sampling.glsl"
-
-// Clear of the surface by more than the depth buffer's and the triangles' rounding.
-vec3 shadowOrigin(vec3 position, vec3 normal, float viewDepth) {
-    return position + normal * (2e-4 * viewDepth + 1e-5 * length(position));
-}
 
 // Uniform in the cone under which the sphere appears; where the horizon cuts it, what falls under is drawn anew, and
 // at last the sphere's highest point over the surface stands in.

@@ -15,6 +15,8 @@ layout(set = 0, binding = SLOT_GATHER_IRRADIANCE, rgba16f) uniform writeonly ima
 // [chosen] Texels to each side, and the least weight that they must have together.
 const int kReach = 2;
 const float kLeastWeight = 0.02;
+// [chosen] For each ray of a texel: a pixel alone has no neighbours to share noise with.
+const uint kRaysAlone = 4u;
 
 void main() {
     uint place = listPlace();
@@ -36,7 +38,7 @@ void main() {
     vec3 irradiance = sum.rgb / max(sum.a, 1e-6);
     if (sum.a < kLeastWeight) {
         uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed ^ 0x5bd1e995u);
-        irradiance = finalGather(position, z, normal, params.rays, random);
+        irradiance = finalGather(position, z, normal, kRaysAlone * params.rays, random);
     }
     imageStore(irradianceIndirect, pixel, vec4(min(irradiance, vec3(65504.0)), 1.0));
 }

@@ -8,7 +8,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform sampler2D irradiance;
 layout(set = 0, binding = SLOT_FINAL_GUIDE_IN) uniform usampler2D guide;
-layout(set = 0, binding = SLOT_FINAL_COARSE, rgba16f) uniform writeonly image2D filtered;
+layout(set = 0, binding = SLOT_FINAL_COARSE, rgba32f) uniform writeonly image2D filtered;
 
 const float kSpline[3] = float[3](6.0 / 16.0, 4.0 / 16.0, 1.0 / 16.0);
 
@@ -16,7 +16,12 @@ void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = ivec2(params.coarseWidth, params.coarseHeight);
     if (any(greaterThanEqual(texel, size))) return;
-    Place own = placeOf(texelFetch(guide, texel, 0));
+    uvec4 ownGuide = texelFetch(guide, texel, 0);
+    if (ownGuide == kNoPlace) {
+        imageStore(filtered, texel, vec4(0.0, 0.0, 0.0, 1.0));
+        return;
+    }
+    Place own = placeOf(ownGuide);
     float z = -(view.worldToView * vec4(own.position, 1.0)).z;
     float spacing = pixelFootprint(z) * float(params.divisor * params.step);
     vec4 middle = texelFetch(irradiance, texel, 0);

@@ -7,7 +7,7 @@
 #include "lib/surface.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = SLOT_FINAL_COARSE, rgba16f) uniform writeonly image2D coarse;
+layout(set = 0, binding = SLOT_FINAL_COARSE, rgba32f) uniform writeonly image2D coarse;
 layout(set = 0, binding = SLOT_FINAL_GUIDE, rgba32ui) uniform writeonly uimage2D guide;
 
 void main() {
@@ -20,10 +20,10 @@ void main() {
     if (depth > 0.0) {
         vec3 position = positionWorld(pixel, depth);
         vec3 normal = normalAt(pixel);
-        uvec2 random = seedRandom(uint(texel.y) * params.coarseWidth + uint(texel.x), params.seed);
+        uvec2 random = seedRandom(uint(texel.y) * params.coarseWidth + uint(texel.x), params.seed ^ 0x02e5be93u);
         irradiance = finalGather(position, viewDepth(depth), normal, params.rays, random);
         place = uvec4(floatBitsToUint(position), packDirection(normal));
     }
-    imageStore(coarse, texel, vec4(min(irradiance, vec3(65504.0)), 1.0));
+    imageStore(coarse, texel, vec4(irradiance, 1.0));
     imageStore(guide, texel, place);
 }

@@ -17,12 +17,22 @@ layout(set = 0, binding = SLOT_FINAL_GUIDE, rgba32ui) uniform writeonly uimage2D
 // [chosen] Of the weight that texels on the same plane would have.
 const float kLeastWeight = 0.05;
 
+// Where a pixel lies between texels; the last representatives stand nearer, at the image's edge.
+vec2 texelCoordinate(vec2 pixel) {
+    ivec2 last = ivec2(params.coarseWidth, params.coarseHeight) - 1;
+    ivec2 nextToLast = max(last - 1, ivec2(0));
+    vec2 before = vec2(representative(nextToLast)) + 0.5;
+    vec2 span = max(vec2(representative(last)) + 0.5 - before, vec2(1.0));
+    vec2 regular = (pixel - 0.5 - float(params.divisor / 2u)) / float(params.divisor);
+    return mix(regular, vec2(nextToLast) + (pixel - before) / span, greaterThan(pixel, before));
+}
+
 // Mean and number of frames at a place of the world, as the frame before left them; a = 0 where it did not see it.
 vec4 rememberedAt(Place place) {
     vec4 clip = past.worldToClipBefore * vec4(place.position, 1.0);
     if (clip.w <= 0.0) return vec4(0.0);
     vec2 pixel = (clip.xy / clip.w * 0.5 + 0.5) * vec2(view.width, view.height);
-    vec2 at = (pixel - 0.5 - float(params.divisor / 2u)) / float(params.divisor);
+    vec2 at = texelCoordinate(pixel);
     vec2 f = fract(at);
     float spacing = pixelFootprint(clip.w) * float(params.divisor);
     vec4 sum = vec4(0.0);

@@ -50,6 +50,6 @@ void main() {
                 if (total < kLeastWeight)
                     list[atomicAdd(counters.pixelsRecomputed, 1u)] = uint(pixel.x) | (uint(pixel.y) << 16);
             }
-            imageStore(irradianceIndirect, pixel, vec4(sum, 1.0));
+            imageStore(irradianceIndirect, pixel, vec4(min(sum, vec3(65504.0)), 1.0));
         }
 }

@@ -15,8 +15,9 @@ layout(set = 0, binding = SLOT_GRID_COUNTERS, std430) readonly buffer Counters {
 const uint kMostLayers = 8u;
 
 // The share of the column's cross-section, over the cosine, of the surfaces that are the cell's.
-float columnArea(Cell cell, uint slot, uint column) {
-    vec2 shift = vec2(tea(uvec2(slot, grid.seed), 8) & 0x00FFFFFFu) * kTwoToMinus24;
+float columnArea(Cell cell, uint column) {
+    // By the cell, not by its slot, which hangs on who came first.
+    vec2 shift = vec2(tea(uvec2(hashCell(cell).y, grid.seed), 8) & 0x00FFFFFFu) * kTwoToMinus24;
     vec2 xi = fract(hammersley(column, grid.columns) + shift) - 0.5;
     uint axisNumber = (cell.face & 7u) >> 1;
     vec3 axis = axisVector(axisNumber);
@@ -28,8 +29,11 @@ float columnArea(Cell cell, uint slot, uint column) {
         if (!traceClosest(origin, -outward, reached, grid.offsetCell.w, hit)) break;
         reached = hit.t;
         vec3 normal = storedNormal(hit.normalWorld);
-        Cell found = cellOf(origin - outward * hit.t, normal, -outward);
-        if (found.face == cell.face) area += 1.0 / abs(dot(axis, normal));
+        uint side = sideOf(normal, -outward);
+        if (side != (cell.face & kSideMask)) continue;
+        vec3 facing = (side & GRID_FACE_BACK) != 0u ? -normal : normal;
+        uint part = cellPart(cell.at, origin - outward * hit.t, facing, axis);
+        if (part == cell.face >> GRID_FACE_PART_SHIFT) area += 1.0 / abs(dot(axis, normal));
     }
     return area;
 }
@@ -41,6 +45,6 @@ void main() {
     GridCell record = cells[place];
     Cell cell = Cell(ivec3(record.x, record.y, record.z), record.faceSlot & ((1u << GRID_FACE_BITS) - 1u));
     uint slot = record.faceSlot >> GRID_FACE_BITS;
-    float area = columnArea(cell, slot, thread % grid.columns);
+    float area = columnArea(cell, thread % grid.columns);
     atomicAdd(table[slot * GRID_SLOT_WORDS + GRID_WORD_AREA], uint(area * float(GRID_AREA_UNITS) + 0.5));
 }

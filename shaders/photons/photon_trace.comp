@@ -1,6 +1,7 @@
-// One thread a path: emission, then hit after hit. Stores every hit that carries indirect light, counts them,
+// One thread a path: emission, then hit after hit. Stores the hits that TraceParams asks for, counts them,
 // and books all power where it goes. Powers are divided by the paths emitted, here and nowhere else
-// (PathRange.powerPerPath). Light from spheres is direct at its first hit, which is therefore not stored.
+// (PathRange.powerPerPath). Light from spheres is direct at its first hit: firstStored
+// is 1 where direct light comes from elsewhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/bvh_walk.glsl"

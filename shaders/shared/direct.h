@@ -8,7 +8,7 @@ LAMPYRIS_SHARED_BEGIN
 LAMPYRIS_SLOT(SLOT_TILE_BOUNDS, 0u);       // vec2 a tile: least and greatest view depth; least > greatest: no surface
 LAMPYRIS_SLOT(SLOT_LIGHT_REACH, 2u);       // float a light: metres, then cut-off watts r, g, b
 LAMPYRIS_SLOT(SLOT_LIGHT_MASKS, 3u);       // words a tile: lights that reach it, then lights whose disc it may show
-LAMPYRIS_SLOT(SLOT_SHADOW_COUNTS, 4u);     // image, SHADOW_PLANES of layers for 32 lights: bit i of how many rays saw each
+LAMPYRIS_SLOT(SLOT_SHADOW_COUNTS, 4u);     // image, DirectParams.planes layers for 32 lights: bit i of how many rays saw each
 LAMPYRIS_SLOT(SLOT_IRRADIANCE_DIRECT, 5u);
 LAMPYRIS_SLOT(SLOT_SPECULAR_DIRECT, 6u);
 LAMPYRIS_SLOT(SLOT_SHOWN, 7u);

@@ -22,7 +22,7 @@ LAMPYRIS_SLOT(GRID_WORD_HIGH, 4u);
 LAMPYRIS_SLOT(GRID_WORD_AREA, 7u);
 LAMPYRIS_SLOT(GRID_POWER_UNITS, 1048576u);   // of TraceParams.powerScale watts
 LAMPYRIS_SLOT(GRID_AREA_UNITS, 65536u);      // of a column's cross-section
-LAMPYRIS_SLOT(GRID_MOST_PROBES, 32u);        // slots that a cell may lie beyond its first
+LAMPYRIS_SLOT(GRID_MOST_PROBES, 64u);        // slots that a cell may lie beyond its first
 
 // A cell's face: dominant axis of the normal (2·axis, + 1 if negative), then:
 LAMPYRIS_SLOT(GRID_FACE_BACK, 8u);           // the back side of its triangles

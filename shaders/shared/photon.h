@@ -74,7 +74,7 @@ struct FrameCounters {
     uint photonsNeeded;    // the largest batch's, whether they fitted or not
     uint pairsNeeded;
     uint cells;            // of the irradiance grid, in use
-    uint cellsDropped;     // photons that found no room in it
+    uint cellsDropped;     // that found no room in it, and photons with them
     uint pad0, pad1;
 };
 

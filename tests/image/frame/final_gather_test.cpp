@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "evaluation/rel_mse.h"
+#include "photons/irradiance_grid.h"
 #include "reference/reference.h"
 #include "support/frame_test.h"
 #include "support/small_scenes.h"
@@ -134,6 +135,37 @@ TEST_F(FinalGather, ARemovedLightLeavesNoneBehind) {
     snapshot.lightVersion = 101;
     test::need(renderer.update(snapshot));
     EXPECT_EQ(meanOf(draw()), 0.0);
+}
+
+TEST_F(FinalGather, AFrameThatOverflowedLeavesNothingInTheMean) {
+    const auto snapshot = test::builtinSnapshot("cornell");
+    auto wanted = request(96, 54, snapshot.cameras.front());
+    wanted.settings.history = 32;
+    wanted.settings.photonPaths = 30000;
+    wanted.settings.radiusMetres = 0.2f;  // more cells than the first guess has room for
+    const auto drawIn = [&](uint32_t slots) {
+        auto executor = test::need(execute::Executor::create(device()));
+        photon_gi::Renderer renderer(executor);
+        test::need(renderer.update(snapshot));
+        renderer.capacities().gridSlots = slots;
+        return render(renderer, wanted, "indirect");
+    };
+    const auto roomy = drawIn(1u << 20);
+    EXPECT_GT(roomy.report.counters.cells, photons::cellsIn(1u << 14));
+    EXPECT_EQ(drawIn(1u << 14).image.values, roomy.image.values);
+}
+
+TEST_F(FinalGather, TheMeanBeginsAnewWhenSettingsChange) {
+    const auto snapshot = test::builtinSnapshot("cornell");
+    auto executor = test::need(execute::Executor::create(device()));
+    photon_gi::Renderer renderer(executor);
+    test::need(renderer.update(snapshot));
+    auto wanted = request(96, 54, snapshot.cameras.front());
+    wanted.settings.history = 32;
+    for (; wanted.frameNumber < 4; ++wanted.frameNumber) render(renderer, wanted, "indirect");
+    wanted.settings.maxBounces = 1;
+    const auto after = render(renderer, wanted, "indirect");
+    EXPECT_EQ(after.image.values, render(snapshot, wanted, "indirect").image.values);
 }
 
 TEST_F(FinalGather, ACameraThatMovesFindsItsPastAgain) {
