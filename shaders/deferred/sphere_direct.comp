@@ -48,6 +48,12 @@ vec4 sharesSeen(Counts counts, uint bit) {
     return vec4(seen) / float(params.rays);
 }
 
+// Looser than jointWeight: what hides a light does not hang on a mapped normal, which may lean far from its neighbours'.
+float sameSurface(vec3 position, vec3 normal, Place other, float spacing) {
+    float off = abs(dot(normal, other.position - position)) / (1.5 * spacing);
+    return dot(normal, other.normal) > 0.5 ? clamp(2.0 - 2.0 * off, 0.0, 1.0) : 0.0;
+}
+
 // Whether texels of the same surface differ more than a penumbra wider than they are makes them: then its edge lies
 // between them. [chosen] Three rays of four.
 bool inDoubt(vec4 shares, bvec4 same) {
@@ -97,7 +103,7 @@ void main() {
                 p = beginPixel(pixel, depth);
                 float spacing = pixelFootprint(viewDepth(depth)) * float(divisor);
                 vec4 weights = texelWeights(ivec2(x, y), span);
-                for (int i = 0; i < 4; ++i) weights[i] *= jointWeight(p.position, p.normal, places[i], spacing);
+                for (int i = 0; i < 4; ++i) weights[i] *= sameSurface(p.position, p.normal, places[i], spacing);
                 if (!shade(p, block, counts, weights))
                     list[atomicAdd(listed, 1u)] = uint(pixel.x) | (uint(pixel.y) << 16);
             }
