@@ -7,13 +7,12 @@
 #include "lib/sampling.glsl"
 
 // firstSlot: of the grid, that the first ray looked up; slotMask + 1 if none.
-vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uvec2 random, out uint firstSlot) {
+vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint firstSample, uvec2 seed, out uint firstSlot) {
     firstSlot = grid.slotMask + 1u;
     vec3 origin = clearOf(position, normal, viewDepth);
-    vec2 shift = random2(random);
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < rays; ++i) {
-        vec3 direction = sampleCosine(normal, fract(hammersley(i, rays) + shift));
+        vec3 direction = sampleCosine(normal, sobol2(firstSample + i, seed));
         Hit hit;
         if (!traceClosest(origin, direction, 0.0, 1e30, hit)) continue;
         Cell cell = cellOf(origin + hit.t * direction, storedNormal(hit.normalWorld), direction);
