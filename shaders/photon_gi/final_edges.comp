@@ -16,7 +16,7 @@ layout(set = 0, binding = SLOT_GATHER_IRRADIANCE, rgba16f) uniform writeonly ima
 const int kReach = 2;
 const float kLeastWeight = 0.02;
 // [chosen] For each ray of a texel: a pixel alone has no neighbours to share noise with.
-const uint kRaysAlone = 4u;
+const uint kRaysAlone = 2u;
 
 void main() {
     uint place = listPlace();
