@@ -6,7 +6,9 @@
 #include "lib/ray_origin.glsl"
 #include "lib/sampling.glsl"
 
-vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uvec2 random) {
+// firstSlot: of the grid, that the first ray looked up; slotMask + 1 if none.
+vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uvec2 random, out uint firstSlot) {
+    firstSlot = grid.slotMask + 1u;
     vec3 origin = clearOf(position, normal, viewDepth);
     vec2 shift = random2(random);
     vec3 sum = vec3(0.0);
@@ -15,7 +17,9 @@ vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uvec2 r
         Hit hit;
         if (!traceClosest(origin, direction, 0.0, 1e30, hit)) continue;
         Cell cell = cellOf(origin + hit.t * direction, storedNormal(hit.normalWorld), direction);
-        sum += hitAlbedo(hit) * gridIrradiance(cell) + kPi * hitEmission(hit, direction);
+        uint slot;
+        sum += hitAlbedo(hit) * gridIrradiance(cell, slot) + kPi * hitEmission(hit, direction);
+        if (i == 0u) firstSlot = slot;
     }
     return sum / float(rays);
 }

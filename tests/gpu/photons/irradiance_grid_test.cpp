@@ -59,7 +59,7 @@ class IrradianceGridTest : public test::FrameTest {
         const TraceSettings settings{4, true, 1, paths * 4, true};
         const auto list =
             addPhotonTrace(frame, handles, tree, split, {0, split.paths}, settings, counters);
-        auto cells = beginGrid(frame, {kCell, slots, 64, 1}, split.powerScale);
+        auto cells = beginGrid(frame, {kCell, slots, 64, 1}, split.powerScale, list.counters);
         cells = addToGrid(frame, cells, list, handles, tree);
         const auto grid = finishGrid(frame, cells, handles, tree);
         execute::RunOptions options;
