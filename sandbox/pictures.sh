@@ -89,7 +89,8 @@ table() {
     rows two_rooms -1.75
     echo
     echo "$size. Reference: path tracing on $(nproc) CPU cores, $spp samples a pixel, indirect light smoothed along"
-    echo "surfaces. Frames: median GPU time on $(value "$made/cornell_full.json" device). By \`bash sandbox/pictures.sh\`."
+    echo "surfaces. Frames: median GPU time on $(value "$made/cornell_full.json" device); one frame of \`full\` is no mean over"
+    echo "frames, but its photons go where earlier ones looked them up. Made by \`bash sandbox/pictures.sh\`."
 }
 
 for mark in "$begin" "$end"; do
