@@ -49,7 +49,8 @@ const std::map<std::string, Benchmark> kBenchmarks{
        "--exposure", "--tonemap"}}},
     {"system-comparison",
      {benchSystemComparison,
-      "table 6.3: thesis, full, direct light with constant ambient, the CPU reference",
+      "table 6.3: full, at its cost thesis and the CPU reference, direct light with constant "
+      "ambient",
       {"--pipeline", "--light-cutoff", "--history"}}}};
 
 std::string listBenchmarks() {

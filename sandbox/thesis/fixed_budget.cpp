@@ -3,10 +3,9 @@
 // machine; the Thesis' budget was its own frame of that setting.
 #include <cmath>
 
-#include "statistics.h"
 #include "thesis/cost_plot.h"
+#include "thesis/equal_cost.h"
 #include "thesis/estimators.h"
-#include "thesis/path_search.h"
 #include "thesis/scaling_table.h"
 #include "thesis/truth.h"
 
@@ -21,49 +20,15 @@ constexpr uint32_t kMiddlePaths = 1000;
 constexpr float kMiddleRadiusMetres = 1.0f;
 constexpr const char* kMiddle = "middle row";
 
-/// The middle row, and the setting that is to cost as much, drawn turn by turn: what slows the
-/// machine down slows both.
-struct Pair {
-    std::vector<Contestant> both;
-    [[nodiscard]] Contestant& candidate() { return both.back(); }
-};
-
+/// The middle row, and the setting that is to cost as much.
 Pair pairOf(const Study& study, Pipeline pipeline) {
     Pair pair{
         {study.contestant(pipeline, study.scene()), study.contestant(pipeline, study.scene())}};
-    Contestant& middle = pair.both.front();
+    Contestant& middle = pair.yardstick();
     middle.name = kMiddle;
     middle.options.photons = kMiddlePaths;
     middle.options.radius = kMiddleRadiusMetres;
     return pair;
-}
-
-/// What a frame's indirect light costs, as a share of the middle row's. The rest of a frame costs
-/// the same in both, and would only add its noise. The median over the turns of the ratio within
-/// each: a machine that others use slows both frames of a turn.
-core::Result<double> shareOfBudget(Pair& pair, const Study& study, uint32_t paths) {
-    pair.candidate().options.photons = paths;
-    TRY_VOID(race(pair.both, {study.size().warmup, study.size().frames, 0,
-                              fmt::format("{}, {} paths, frame", study.progress, paths)}));
-    std::vector<double> ratios = indirectMilliseconds(pair.candidate());
-    const std::vector<double> middle = indirectMilliseconds(pair.both.front());
-    for (size_t i = 0; i < ratios.size(); ++i) ratios[i] /= middle[i];
-    return summarise(ratios).median;
-}
-
-core::Result<Row> search(Study& study, Pair& pair) {
-    const float radius = *pair.candidate().options.radius;
-    pair.candidate().options.photons.reset();
-    const nlohmann::json what{{"search", thesis::settingsOf(pair.both)},
-                              {"frames", study.size().frames},
-                              {"warmup", study.size().warmup}};
-    return study.row(what, [&]() -> core::Result<Row> {
-        const auto cost = [&](uint32_t paths) { return shareOfBudget(pair, study, paths); };
-        // The Thesis' own estimate to begin with: N = c/r.
-        const auto guess = static_cast<uint32_t>(kMiddlePaths * kMiddleRadiusMetres / radius);
-        TRY(const uint32_t found, searchPaths(cost, 1.0, guess));
-        return Row{{pair.candidate().name, {{kPaths, {static_cast<double>(found), 0.0}}}}};
-    });
 }
 
 /// A row a radius of table 6.2.
@@ -74,8 +39,11 @@ core::Result<std::vector<ScalingRow>> measure(Study& study, const Truth& truth, 
         Options& options = pair.candidate().options;
         options.radius = static_cast<float>(printed.radiusMetres);
         study.progress = fmt::format("{}, radius {}", name(pipeline), printed.radiusMetres);
-        TRY(const Row found, search(study, pair));
-        options.photons = static_cast<uint32_t>(found.at(name(pipeline)).at(kPaths).mean);
+        // The rest of a frame costs the same in both, and would only add its noise. The Thesis' own
+        // estimate to begin with: N = c/r.
+        const auto guess =
+            static_cast<uint32_t>(kMiddlePaths * kMiddleRadiusMetres / *options.radius);
+        TRY(options.photons, pathsOfEqualCost(study, pair, Cost::Indirect, guess));
         study.progress += ", frame";
         TRY(const Row row, study.race(pair.both, &truth));
         ScalingRow& kept =

@@ -1,10 +1,12 @@
 // `lampyris bench system-comparison`: the Thesis' table 6.3. In place of three game engines:
-// `full`, direct light with a constant ambient, and the CPU reference at equal time.
+// `full`, `thesis` with as many paths as `full`'s time affords, direct light with a constant
+// ambient, and the CPU reference at equal time.
 #include <algorithm>
 
 #include "plot/stacked_bars.h"
 #include "reference/reference.h"
 #include "thesis/constant_ambient.h"
+#include "thesis/equal_cost.h"
 #include "thesis/printed.h"
 #include "thesis/truth.h"
 
@@ -16,6 +18,8 @@ using photon_gi::Pipeline;
 
 constexpr StudySize kQuick{{480, 270}, 8, 4, 256, 2};
 constexpr const char* kSamples = "spp";
+constexpr const char* kEqualTime = "thesis, equal time";
+constexpr uint32_t kFirstGuess = 1000;  // paths, the Thesis' middle row
 
 core::Result<core::Image> draw(const Study& study, const std::string& node) {
     Contestant direct = study.contestant(Pipeline::Direct, study.scene());
@@ -70,6 +74,17 @@ core::Result<Row> measureReference(const Study& study, const Truth& truth, Conte
     return Row{{"reference", figures}};
 }
 
+/// `thesis` with the paths for which its whole frame costs what one of `full` does.
+core::Result<Contestant> thesisAtEqualTime(Study& study) {
+    Pair pair{{study.contestant(Pipeline::Full, study.scene()),
+               study.contestant(Pipeline::Thesis, study.scene())}};
+    pair.candidate().name = kEqualTime;
+    study.progress = kEqualTime;
+    TRY(pair.candidate().options.photons, pathsOfEqualCost(study, pair, Cost::Frame, kFirstGuess));
+    study.progress = "frame";
+    return std::move(pair.candidate());
+}
+
 struct System {
     std::string name;
     Figures figures;
@@ -79,6 +94,8 @@ core::Result<std::vector<System>> measure(Study& study, const Truth& truth) {
     std::vector<Contestant> raced;
     for (const Pipeline pipeline : {Pipeline::Thesis, Pipeline::Full, Pipeline::Direct})
         raced.push_back(study.contestant(pipeline, study.scene()));
+    TRY(Contestant equal, thesisAtEqualTime(study));
+    raced.push_back(std::move(equal));
     TRY(const Row row, study.race(raced, &truth));
     const nlohmann::json key{{"race", thesis::settingsOf(raced)}, {"truth", truth.id}};
     TRY(const Row ambient, study.row({{"ambient", key}}, [&] {
@@ -88,8 +105,12 @@ core::Result<std::vector<System>> measure(Study& study, const Truth& truth) {
         return measureReference(study, truth, raced[1], row.at("full").at(kFrame).mean);
     }));
     const Figures& reference = traced.at("reference");
+    const auto paths = [&](const char* name) {
+        return fmt::format("thesis, {:.0f} paths", row.at(name).at(kPaths).mean);
+    };
     return std::vector<System>{
-        {"thesis", row.at("thesis")},
+        {paths("thesis"), row.at("thesis")},
+        {paths(kEqualTime), row.at(kEqualTime)},
         {"full", row.at("full")},
         {"direct", row.at("direct")},
         {"direct + ambient", ambient.at("ambient")},

@@ -27,6 +27,13 @@ size_t linesOf(const std::filesystem::path& path) {
     return static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
+size_t countOf(const std::string& text, const std::string& what) {
+    size_t count = 0;
+    for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+        ++count;
+    return count;
+}
+
 void expectFiles(const std::filesystem::path& folder, const std::vector<std::string>& names) {
     for (const std::string& name : names)
         EXPECT_FALSE(textOf(folder / name).empty()) << name << " is not there";
@@ -92,11 +99,18 @@ TEST(Bench, SystemComparison) {
     const ScratchFolder folder;
     const Ran ran = lampyris(bench("system-comparison", folder / "out", {"--spp", "4"}));
     ASSERT_EQ(ran.code, 0) << ran.err;
-    for (const char* system :
-         {"thesis ", "full ", "direct + ambient", "reference, ", "paper: Prototype", "3589.49"})
+    for (const char* system : {"thesis, 1000 paths", "full ", "direct + ambient", "reference, ",
+                               "paper: Prototype", "3589.49"})
         EXPECT_NE(ran.out.find(system), std::string::npos) << system << "\n" << ran.out;
+    const std::string csv = textOf(folder / "out/system-comparison.csv");
+    EXPECT_EQ(countOf(csv, "thesis, "), 2u) << "its own paths, and those of equal time\n" << csv;
     expectFiles(folder / "out",
                 {"system-comparison.csv", "system-comparison.md", "system-comparison-errors.svg"});
+    // Again: the search, the race and the rest are taken from the kept rows.
+    const size_t rows = linesOf(folder / "out/system-comparison.rows.jsonl");
+    EXPECT_EQ(rows, 4u) << "search, race, ambient, reference";
+    EXPECT_EQ(lampyris(bench("system-comparison", folder / "out", {"--spp", "4"})).out, ran.out);
+    EXPECT_EQ(linesOf(folder / "out/system-comparison.rows.jsonl"), rows);
 }
 
 TEST(Bench, TakesAReferenceFromAFile) {
