@@ -1,23 +1,27 @@
 // Irradiance at a point by a few rays into the irradiance grid: each is a last bounce.
-//   E = (1/n) Σ ρ(y) E(y) + π Le(y),   y where ray i, drawn by the cosine, ends                                   [F1]
+//   E = (1/n) Σ ρ(y) E(y),   y where ray i, drawn by the cosine, ends; and what comes from emitters [F5]          [F1]
 #ifndef LAMPYRIS_LIB_FINAL_GATHER
 #define LAMPYRIS_LIB_FINAL_GATHER
+#include "lib/gather_emission.glsl"
 #include "lib/grid_look_up.glsl"
 #include "lib/ray_origin.glsl"
 #include "lib/sampling.glsl"
 
-vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uvec2 random) {
+vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint emitterCount, uvec2 random) {
     vec3 origin = clearOf(position, normal, viewDepth);
     vec2 shift = random2(random);
-    vec3 sum = vec3(0.0);
+    GatherMix mixed = GatherMix(rays, emitterCount > 0u ? rays : 0u, emitterCount);
+    vec3 reflected = vec3(0.0), emitted = vec3(0.0);
     for (uint i = 0u; i < rays; ++i) {
         vec3 direction = sampleCosine(normal, fract(hammersley(i, rays) + shift));
         Hit hit;
         if (!traceClosest(origin, direction, 0.0, 1e30, hit)) continue;
         Cell cell = cellOf(origin + hit.t * direction, storedNormal(hit.normalWorld), direction);
-        sum += hitAlbedo(hit) * gridIrradiance(cell) + kPi * hitEmission(hit, direction);
+        reflected += hitAlbedo(hit) * gridIrradiance(cell);
+        if (sceneEmission != 0u) emitted += emissionMet(hit, direction, normal, mixed);
     }
-    return sum / float(rays);
+    if (sceneEmission != 0u) emitted += emissionSampled(origin, normal, mixed, random);
+    return reflected / float(rays) + emitted;
 }
 
 #endif

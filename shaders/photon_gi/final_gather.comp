@@ -21,7 +21,7 @@ void main() {
         vec3 position = positionWorld(pixel, depth);
         vec3 normal = normalAt(pixel);
         uvec2 random = seedRandom(uint(texel.y) * params.coarseWidth + uint(texel.x), params.seed ^ 0x02e5be93u);
-        irradiance = finalGather(position, viewDepth(depth), normal, params.rays, random);
+        irradiance = finalGather(position, viewDepth(depth), normal, params.rays, params.emitterCount, random);
         place = uvec4(floatBitsToUint(position), packDirection(normal));
     }
     imageStore(coarse, texel, vec4(irradiance, 1.0));
