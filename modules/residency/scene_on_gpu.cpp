@@ -202,6 +202,9 @@ const std::vector<shared::GpuEmitter>& SceneOnGpu::emitters() const {
     return parts_->emitterEntries;
 }
 
+uint32_t SceneOnGpu::lightCount() const {
+    return parts_->counts.lightCount;
+}
 const UploadCounts& SceneOnGpu::lastUpload() const {
     return parts_->uploaded;
 }

@@ -155,6 +155,28 @@ TEST_F(FinalGather, AFrameThatOverflowedLeavesNothingInTheMean) {
     EXPECT_EQ(drawIn(1u << 14).image.values, roomy.image.values);
 }
 
+TEST_F(FinalGather, AGridThatCannotGrowIsOneError) {
+    const auto snapshot = test::builtinSnapshot("cornell");
+    auto wanted = request(96, 54, snapshot.cameras.front());
+    wanted.settings.photonPaths = 30000;
+    wanted.settings.radiusMetres = 0.2f;
+    auto executor = test::need(execute::Executor::create(device()));
+    photon_gi::Renderer renderer(executor);
+    test::need(renderer.update(snapshot));
+    renderer.capacities().gridSlots = renderer.capacities().mostGridSlots = 1u << 14;
+    const auto draw = [&] {
+        graph::Frame frame;
+        const auto drawn = renderer.declare(frame, wanted);
+        return renderer.run(frame, drawn, "indirect");
+    };
+    auto outcome = draw();
+    while (outcome.ok() && !outcome.value().report.valid) outcome = draw();  // photons grow first
+    ASSERT_FALSE(outcome.ok());
+    EXPECT_NE(outcome.error().message.find("--radius"), std::string::npos);
+    wanted.settings.radiusMetres = 2.0f;
+    EXPECT_TRUE(draw().ok());
+}
+
 TEST_F(FinalGather, TheMeanBeginsAnewWhenSettingsChange) {
     const auto snapshot = test::builtinSnapshot("cornell");
     auto executor = test::need(execute::Executor::create(device()));
