@@ -4,22 +4,11 @@
 #include "cli/program/program.h"
 #include "core/file.h"
 #include "core/image_io.h"
+#include "reference/reference.h"
 #include "support/gltf_builder.h"
 
 namespace lampyris::test {
 namespace {
-
-using Images = std::vector<std::string>;
-const Images kNames{"final",
-                    "direct",
-                    "indirect",
-                    "irradiance_direct",
-                    "irradiance_indirect",
-                    "albedo",
-                    "normal",
-                    "position",
-                    "depth",
-                    "error"};
 
 class Reference : public testing::Test {
  protected:
@@ -67,7 +56,8 @@ TEST_F(Reference, WritesThePictureAndSaysNothing) {
 
 TEST_F(Reference, WritesEveryImageAloneOrAllAtOnce) {
     ASSERT_EQ(reference("cornell", "a.exr", {"--all", folder_ / "all"}).code, 0);
-    for (const std::string& name : kNames) {
+    for (const std::string_view shown : reference::kImageNames) {
+        const std::string name(shown);
         SCOPED_TRACE(name);
         const Ran ran = reference("cornell", name + ".exr", {"--output-node", name});
         EXPECT_EQ(ran.code, 0) << ran.err;

@@ -28,9 +28,7 @@ class EveryScene : public Transport, public ::testing::WithParamInterface<const 
 
 TEST_P(EveryScene, EnergyLedgerClosesInEveryFrame) {
     const auto snapshot = test::builtinSnapshot(GetParam());
-    auto executor = test::need(execute::Executor::create(device()));
-    photon_gi::Renderer renderer(executor);
-    test::need(renderer.update(snapshot));
+    test::SceneRenderer renderer(device(), snapshot);
     glm::dvec3 power(0.0);
     for (const auto& light : snapshot.lights) power += glm::dvec3(light.powerWatts);
     auto wanted = ask(snapshot, 32, 18);
@@ -56,9 +54,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, EveryScene,
 
 TEST_F(Transport, RouletteIsZeroWithinFourOfItsOwnDeviations) {
     const auto snapshot = test::builtinSnapshot("two_rooms");
-    auto executor = test::need(execute::Executor::create(device()));
-    photon_gi::Renderer renderer(executor);
-    test::need(renderer.update(snapshot));
+    test::SceneRenderer renderer(device(), snapshot);
     auto wanted = ask(snapshot, 16, 9);
     wanted.settings.photonPaths = 2000;
     constexpr int kFrames = 24;
@@ -121,9 +117,7 @@ TEST_F(Transport, SameSeedGivesTheSameBytesAndAnotherSeedOthers) {
 
 TEST_F(Transport, AnyLegalOrderAndPoisonedTransientsChangeNothing) {
     const auto snapshot = test::builtinSnapshot("cornell");
-    auto executor = test::need(execute::Executor::create(device()));
-    photon_gi::Renderer renderer(executor);
-    test::need(renderer.update(snapshot));
+    test::SceneRenderer renderer(device(), snapshot);
     const auto wanted = ask(snapshot, 96, 54);
     const auto plain = render(renderer, wanted, "final");
     for (const uint64_t order : {1u, 2u, 3u}) {
@@ -155,9 +149,7 @@ TEST_F(Transport, BatchesOfPhotonsAddUpToTheSamePicture) {
 
 TEST_F(Transport, AnOverflowIsReportedAndTheNextFrameHasRoom) {
     const auto snapshot = test::builtinSnapshot("cornell");
-    auto executor = test::need(execute::Executor::create(device()));
-    photon_gi::Renderer renderer(executor);
-    test::need(renderer.update(snapshot));
+    test::SceneRenderer renderer(device(), snapshot);
     auto wanted = ask(snapshot, 640, 360);
     wanted.settings.gather = photon_gi::Gather::Tiles;
     wanted.settings.photonPaths = 100;
