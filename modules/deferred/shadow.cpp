@@ -9,9 +9,9 @@
 namespace lampyris::deferred {
 namespace {
 
-/// Bits that hold a number of rays.
+/// Bits that hold a number of rays, one at least.
 uint32_t planesOf(uint32_t rays) {
-    return static_cast<uint32_t>(std::bit_width(rays));
+    return static_cast<uint32_t>(std::bit_width(rays | 1u));
 }
 
 }  // namespace
