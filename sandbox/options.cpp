@@ -175,6 +175,8 @@ void addFrameOptions(CLI::App& app, Options& o) {
     app.add_option("--history", o.history,
                    "final gather: frames in the mean while nothing changes; 0 is off (32)")
         ->check(CLI::Range(0u, kMaxHistory));
+    addChoice(app, "--guiding", o.guiding, kSwitch,
+              "final gather: send photons where earlier frames looked them up (on)");
     addChoice(app, "--reseed", o.reseed, kSwitch, "draw a frame's paths anew every frame (on)");
     app.add_option("--retrace", o.retrace, "whether paths that cannot have changed are kept (auto)")
         ->type_name("auto|all")
@@ -279,6 +281,7 @@ photon_gi::Settings settingsOf(const Options& o) {
     s.lightCutoff = o.lightCutoff;
     s.seed = o.seed;
     s.reseed = o.reseed;
+    s.guiding = o.guiding;
     return s;
 }
 

@@ -64,6 +64,7 @@ Json settingsJson(const Options& o) {
             {"filter_levels", s.filterLevels},
             {"history", s.history},
             {"reseed", s.reseed},
+            {"guiding", guided(s)},
             {"retrace", o.retrace},
             {"light_cutoff", s.lightCutoff},
             {"seed", s.seed},

@@ -1,7 +1,5 @@
 #include "deferred/sphere_direct.h"
 
-#include <algorithm>
-
 #include "deferred/shaders.h"
 #include "shared/scene.h"
 
@@ -28,8 +26,6 @@ DirectLight writeLight(graph::Frame& frame, graph::ComputeNode& node, graph::Ext
     return direct;
 }
 
-constexpr uint32_t kMostRays = 31;
-
 /// Pixels that trace rays of their own.
 struct ShadowList {
     graph::Buffer pixels, count;
@@ -49,15 +45,12 @@ void addListedPixels(graph::Frame& frame, const Surface& surface, const LightLis
                      const residency::SceneHandles& scene, const accel::AccelHandles& accel,
                      DirectLight& direct) {
     const graph::Buffer groups = addShadowGroups(frame, list);
-    auto params = shadows.params;
-    // [chosen] A pixel alone has no neighbours to share noise with.
-    params.rays = std::min(2 * params.rays, kMostRays);
     auto node = frame.compute("shadow/edges", shaders::shadowEdges);
     bindShading(node, surface, lights, scene);
     accel::bindTraversal(node, accel, scene);
     node.read(shared::SLOT_SHADOW_LIST, list.pixels)
         .read(shared::SLOT_SHADOW_LISTED, list.count)
-        .push(params);
+        .push(shadows.params);
     direct.irradiance = node.update(shared::SLOT_IRRADIANCE_DIRECT, direct.irradiance);
     direct.specular = node.update(shared::SLOT_SPECULAR_DIRECT, direct.specular);
     node.dispatchIndirect(groups);

@@ -5,10 +5,9 @@
 #include "shared/tile_bin.h"
 
 namespace lampyris::photon_gi {
-namespace {
 
 shared::GatherParams finalParams(const shared::View& view, const FinalGatherSettings& settings,
-                                 uint32_t step = 1) {
+                                 uint32_t step) {
     const graph::Extent coarse = coarseSize(view, settings.divisor);
     shared::GatherParams params{};
     params.divisor = settings.divisor;
@@ -38,6 +37,8 @@ void bindCoarse(graph::ComputeNode& node, const CoarseIrradiance& coarse) {
         .sample(shared::SLOT_FINAL_GUIDE_IN, coarse.guide);
 }
 
+namespace {
+
 graph::Image addEdgePixels(graph::Frame& frame, const deferred::Surface& surface,
                            const GatherWorld& world, const CoarseIrradiance& coarse,
                            const EdgeList& edges, graph::Image irradiance,
@@ -56,40 +57,23 @@ graph::Image addEdgePixels(graph::Frame& frame, const deferred::Surface& surface
 
 }  // namespace
 
-CoarseIrradiance addFinalGather(graph::Frame& frame, const deferred::Surface& surface,
-                                const GatherWorld& world, const FinalGatherSettings& settings) {
+FinalGathered addFinalGather(graph::Frame& frame, const deferred::Surface& surface,
+                             const GatherWorld& world, const FinalGatherSettings& settings) {
     CHECK(settings.rays > 0u);
     const graph::Extent size = coarseSize(surface.view, settings.divisor);
     auto node = frame.compute("gather", shaders::finalGather);
     deferred::bindSurface(node, surface);
     bindWorld(node, world);
     node.push(rayParams(surface.view, world, settings));
-    CoarseIrradiance coarse;
-    coarse.irradiance =
+    FinalGathered gathered;
+    gathered.coarse.irradiance =
         node.write(shared::SLOT_FINAL_COARSE,
                    frame.image("coarse irradiance", {graph::Format::RGBA32Float, size}));
-    coarse.guide = node.write(shared::SLOT_FINAL_GUIDE,
-                              frame.image("gather guide", {graph::Format::RGBA32Uint, size}));
+    gathered.coarse.guide = node.write(
+        shared::SLOT_FINAL_GUIDE, frame.image("gather guide", {graph::Format::RGBA32Uint, size}));
+    gathered.lookUps = node.update(shared::SLOT_FINAL_LOOK_UPS, world.grid.lookUps);
     node.dispatchOver(size);
-    return coarse;
-}
-
-CoarseIrradiance addFinalHistory(graph::Frame& frame, const deferred::Surface& surface,
-                                 const CoarseIrradiance& newest, const GatherPast& past,
-                                 const FinalGatherSettings& settings) {
-    auto node = frame.compute("gather/history", shaders::finalHistory);
-    bindCoarse(node, newest);
-    node.uniformData(shared::SLOT_VIEW, surface.view)
-        .uniformData(shared::SLOT_HISTORY_PARAMS,
-                     shared::HistoryParams{past.worldToClipBefore, past.frames, 0, 0, 0})
-        .sample(shared::SLOT_HISTORY_BEFORE, past.mean.previous)
-        .sample(shared::SLOT_HISTORY_GUIDE_BEFORE, past.guide.previous)
-        .push(finalParams(surface.view, settings));
-    CoarseIrradiance mean;
-    mean.irradiance = node.write(shared::SLOT_FINAL_COARSE, past.mean.current);
-    mean.guide = node.write(shared::SLOT_FINAL_GUIDE, past.guide.current);
-    node.dispatchOver(coarseSize(surface.view, settings.divisor));
-    return mean;
+    return gathered;
 }
 
 CoarseIrradiance addFinalFilter(graph::Frame& frame, const deferred::Surface& surface,

@@ -6,6 +6,7 @@
 
 #include "photon_gi/gather.h"
 #include "photons/irradiance_grid.h"
+#include "shared/tile_bin.h"
 
 namespace lampyris::photon_gi {
 
@@ -22,6 +23,12 @@ struct CoarseIrradiance {
     graph::Image guide{};       ///< RGBA32Uint: position as float bits, normal octahedral
 };
 
+/// \param step filter: texels between two taps
+[[nodiscard]] shared::GatherParams finalParams(const shared::View& view,
+                                               const FinalGatherSettings& settings,
+                                               uint32_t step = 1);
+void bindCoarse(graph::ComputeNode& node, const CoarseIrradiance& coarse);
+
 /// What rays are traced through.
 struct GatherWorld {
     const residency::SceneHandles& scene;
@@ -29,33 +36,18 @@ struct GatherWorld {
     photons::IrradianceGrid grid;
 };
 
-[[nodiscard]] CoarseIrradiance addFinalGather(graph::Frame& frame, const deferred::Surface& surface,
-                                              const GatherWorld& world,
-                                              const FinalGatherSettings& settings);
-
-/// What earlier frames of the same low resolution left.
-struct GatherPast {
-    graph::HistoryImage mean;   ///< RGBA32F: irradiance, frames in it
-    graph::HistoryImage guide;  ///< as CoarseIrradiance::guide
-    glm::mat4 worldToClipBefore{1.0f};
-    uint32_t frames = 0;  ///< most that the mean may hold besides this one; 0: it begins anew
+struct FinalGathered {
+    CoarseIrradiance coarse;
+    graph::Buffer lookUps{};  ///< how often each slot of the grid was looked up
 };
 
-/// The mean over frames at each texel's place in the world. Writes both images of `past`.
-[[nodiscard]] CoarseIrradiance addFinalHistory(graph::Frame& frame,
-                                               const deferred::Surface& surface,
-                                               const CoarseIrradiance& newest,
-                                               const GatherPast& past,
-                                               const FinalGatherSettings& settings);
+[[nodiscard]] FinalGathered addFinalGather(graph::Frame& frame, const deferred::Surface& surface,
+                                           const GatherWorld& world,
+                                           const FinalGatherSettings& settings);
 
 [[nodiscard]] CoarseIrradiance addFinalFilter(graph::Frame& frame, const deferred::Surface& surface,
                                               CoarseIrradiance coarse,
                                               const FinalGatherSettings& settings);
-
-struct JoinedIrradiance {
-    graph::Image irradiance{};  ///< RGBA16F, W/m², full resolution
-    EdgeList edges;             ///< pixels that the texels beside them do not stand for
-};
 
 /// \param counters shared::FrameCounters
 [[nodiscard]] JoinedIrradiance addFinalUpsample(

@@ -5,19 +5,13 @@
 
 #include "accel/accel_on_gpu.h"
 #include "graph/frame.h"
+#include "photon_gi/final_history.h"
 #include "photon_gi/settings.h"
 #include "photons/path_split.h"
 #include "residency/scene_handles.h"
 #include "shared/view.h"
 
 namespace lampyris::photon_gi {
-
-/// What the frame before left; see GatherPast.
-struct Past {
-    bool known = false;  ///< there was one, of the same size
-    bool same = false;   ///< and neither the scene nor the settings have changed since
-    glm::mat4 worldToClip{1.0f};
-};
 
 /// All that a frame is drawn from.
 struct FrameInputs {
@@ -36,11 +30,8 @@ struct DrawnFrame {
     graph::Buffer counters{};  ///< shared::FrameCounters; invalid where there is no indirect light
     std::vector<graph::Buffer> ledgers;  ///< a batch each
     graph::Buffer lightReach{};          ///< metres a light, then the watts cut off
+    graph::Buffer importance{};  ///< a float a path, for PathGuide; invalid where none is guided
 };
-
-/// The images that history keeps, at these settings; to be asked of execute::HistoryBook.
-[[nodiscard]] graph::ImageDesc historyMean(const shared::View& view, const Settings& settings);
-constexpr const char* kHistoryMean = "gather history";
 
 [[nodiscard]] DrawnFrame drawFrame(graph::Frame& frame, const FrameInputs& in,
                                    const Settings& settings, const Capacities& room);

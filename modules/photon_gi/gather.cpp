@@ -90,6 +90,11 @@ graph::Extent coarseBlocks(const shared::View& view, uint32_t divisor) {
     return {size.width + 1, size.height + 1};
 }
 
+graph::Buffer clearedCounters(graph::Frame& frame) {
+    auto clear = frame.transfer("gather/clear");
+    return clear.fill(frame.buffer("frame counters", {sizeof(shared::FrameCounters)}), 0);
+}
+
 EdgeList addEdges(graph::Frame& frame, const deferred::Surface& surface, graph::Buffer counters,
                   const GatherSettings& settings) {
     const uint64_t pixels = uint64_t{surface.view.width} * surface.view.height;

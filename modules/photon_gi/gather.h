@@ -27,6 +27,15 @@ struct Gathered {
     graph::Buffer estimates{};  ///< vec4 for each listed pixel
 };
 
+/// Indirect irradiance at full resolution.
+struct JoinedIrradiance {
+    graph::Image irradiance{};  ///< RGBA16F, W/m²
+    EdgeList edges;             ///< pixels that the texels beside them do not stand for
+};
+
+/// A frame's counters, zero.
+[[nodiscard]] graph::Buffer clearedCounters(graph::Frame& frame);
+
 [[nodiscard]] EdgeList addEdges(graph::Frame& frame, const deferred::Surface& surface,
                                 graph::Buffer counters, const GatherSettings& settings);
 

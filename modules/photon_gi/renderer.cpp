@@ -35,16 +35,21 @@ std::vector<float> floats(std::span<const std::byte> bytes) {
 }
 
 /// In the order in which run() asked for the buffers.
-void readReport(const DrawnFrame& drawn, const std::vector<std::vector<std::byte>>& buffers,
-                FrameReport& report) {
+/// \return the paths' importance, where the frame measured it
+std::vector<float> readReport(const DrawnFrame& drawn,
+                              const std::vector<std::vector<std::byte>>& buffers,
+                              FrameReport& report) {
     size_t next = 0;
+    std::vector<float> importance;
     if (drawn.counters.valid())
         std::memcpy(&report.counters, buffers[next++].data(), sizeof(report.counters));
+    if (drawn.importance.valid()) importance = floats(buffers[next++]);
     const std::vector<float> reach = floats(buffers[next++]);
     CHECK(reach.size() >= size_t{3});
     for (int c = 0; c < 3; ++c)
         report.cutOffWatts[c] = reach[reach.size() - 3 + static_cast<size_t>(c)];
     while (next < buffers.size()) report.energy.add(floats(buffers[next++]));
+    return importance;
 }
 
 }  // namespace
@@ -70,7 +75,8 @@ core::Result<void> Renderer::update(const scene::SceneSnapshot& snapshot) {
 
 void Renderer::makeRoom(const FrameRequest& request) {
     const Settings& s = request.settings;
-    split_ = photons::splitPaths(emitters_, s.photonPaths);
+    split_ = guided(s) ? guide_.split(emitters_, s.photonPaths)
+                       : photons::splitPaths(emitters_, s.photonPaths);
     const uint32_t batch = std::min(s.largestBatch, largestBatch_);
     const auto batches = photons::batchPaths(split_, s.maxBounces, batch);
     uint32_t largest = 0;
@@ -89,11 +95,12 @@ void Renderer::makeRoom(const FrameRequest& request) {
 
 Past Renderer::recall(const shared::View& view, const Settings& settings) {
     Past past;
-    past.known = executor_->history().known(kHistoryMean, historyMean(view, settings));
+    past.known =
+        executor_->history().known(kHistoryMean, historyMean(view, settings.gatherDivisor));
     past.same = drawn_.sceneVersion == sceneVersion_ && drawn_.settings == settings;
     past.worldToClip = drawn_.worldToClip;
-    const bool keeps = settings.pipeline == Pipeline::Full && settings.gather == Gather::Final &&
-                       settings.history > 0 && settings.maxBounces > 0 && split_.paths > 0;
+    const bool keeps = finalGathers(settings) && settings.history > 0 && settings.maxBounces > 0 &&
+                       split_.paths > 0;
     drawn_ = {keeps ? sceneVersion_ : 0, settings, view.worldToClip};
     return past;
 }
@@ -159,6 +166,7 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
         runOptions.readBackImages.push_back(image);
     }
     if (drawn.counters.valid()) runOptions.readBackBuffers.push_back(drawn.counters);
+    if (drawn.importance.valid()) runOptions.readBackBuffers.push_back(drawn.importance);
     runOptions.readBackBuffers.push_back(drawn.lightReach);
     runOptions.readBackBuffers.insert(runOptions.readBackBuffers.end(), drawn.ledgers.begin(),
                                       drawn.ledgers.end());
@@ -170,11 +178,14 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
     TRY(auto result, executor_->run(frame, outcome.graph, runOptions));
     outcome.statistics = std::move(result.statistics);
     if (!result.images.empty()) outcome.image = execute::toImage(result.images.front());
-    readReport(drawn, result.buffers, outcome.report);
+    const auto importance = readReport(drawn, result.buffers, outcome.report);
     outcome.report.paths = drawn.ledgers.empty() ? 0 : split_.paths;
     TRY(const bool lacking, grow(outcome.report.counters));
     outcome.report.valid = !lacking;
-    if (!outcome.report.valid) drawn_.sceneVersion = 0;  // its light is not all there
+    if (!outcome.report.valid)
+        drawn_.sceneVersion = 0;  // its light is not all there
+    else if (!importance.empty())
+        guide_.learn(split_, importance);
     return outcome;
 }
 

@@ -9,6 +9,7 @@
 #include "graph/compile.h"
 #include "photon_gi/frame.h"
 #include "photons/energy_ledger.h"
+#include "photons/path_guide.h"
 #include "residency/scene_on_gpu.h"
 #include "scene/snapshot.h"
 
@@ -73,6 +74,7 @@ class Renderer {
     residency::SceneOnGpu scene_;
     accel::AccelOnGpu accel_;
     std::vector<photons::Emitter> emitters_;
+    photons::PathGuide guide_;
     photons::PathSplit split_;
     /// What the last frame's mean was made from.
     struct Drawn {

@@ -1,6 +1,7 @@
 /// \file What a frame of photon_gi is made with.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "math/glm.h"
@@ -34,10 +35,11 @@ struct Settings {
     uint32_t gridColumns = 8;       ///< final gather: rays that measure a grid cell's surface
     float lightCutoff = 0.001f;     ///< of the frame's mean direct irradiance
     uint32_t seed = 1;
-    bool reseed = true;                   ///< paths are drawn anew every frame
-    bool shadows = true;                  ///< `full` and `direct`
-    uint32_t shadowDivisor = 4;           ///< low resolution of the shadows, an axis
-    uint32_t shadowRays = 8;              ///< a texel and light
+    bool reseed = true;          ///< paths are drawn anew every frame
+    bool guiding = true;         ///< final gather: photons go where earlier frames looked them up
+    bool shadows = true;         ///< `full` and `direct`
+    uint32_t shadowDivisor = 4;  ///< low resolution of the shadows, an axis
+    uint32_t shadowRays = 8;     ///< a texel and light
     uint32_t largestBatch = 0xffffffffu;  ///< paths traced in one go, at most
 
     bool operator==(const Settings&) const = default;
@@ -50,6 +52,18 @@ struct Capacities {
     uint32_t gridSlots = 1u << 16;                     ///< of the irradiance grid
     uint32_t mostGridSlots = photons::kMostGridSlots;  ///< that it may grow to
 };
+
+[[nodiscard]] inline bool finalGathers(const Settings& s) {
+    return s.pipeline == Pipeline::Full && s.gather == Gather::Final;
+}
+/// Same paths every frame leave nothing to learn from.
+[[nodiscard]] inline bool guided(const Settings& s) {
+    return finalGathers(s) && s.guiding && s.reseed && s.maxBounces > 0;
+}
+/// Most frames in the mean: with the same paths every frame, one.
+[[nodiscard]] inline uint32_t historyFrames(const Settings& s) {
+    return s.reseed ? s.history : std::min(s.history, 1u);
+}
 
 /// The seed of a frame's random numbers.
 [[nodiscard]] uint32_t frameSeed(const Settings& settings, uint64_t frameNumber);

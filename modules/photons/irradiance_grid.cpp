@@ -46,12 +46,14 @@ graph::Buffer addAreas(graph::Frame& frame, const GridCells& cells, const Groups
 
 }  // namespace
 
-GridCells beginGrid(graph::Frame& frame, const GridSettings& settings, float powerScale) {
+GridCells beginGrid(graph::Frame& frame, const GridSettings& settings, float powerScale,
+                    graph::Buffer counters) {
     CHECK(settings.columns > 0u);
     const uint64_t tableBytes =
         uint64_t{settings.slots} * shared::GRID_SLOT_WORDS * sizeof(uint32_t);
     const uint32_t capacity = cellsIn(settings.slots);
     GridCells cells;
+    cells.counters = counters;
     cells.params.offsetCell = {fraction(3 * settings.seed), fraction(3 * settings.seed + 1),
                                fraction(3 * settings.seed + 2), settings.cellMetres};
     cells.params.slotMask = settings.slots - 1;
@@ -78,6 +80,9 @@ GridCells addToGrid(graph::Frame& frame, GridCells cells, const PhotonList& phot
     cells.table = node.update(shared::SLOT_GRID_TABLE, cells.table);
     cells.cells = node.update(shared::SLOT_GRID_CELLS, cells.cells);
     cells.counters = node.update(shared::SLOT_GRID_COUNTERS, photons.counters);
+    cells.photonSlots =
+        node.write(shared::SLOT_GRID_PHOTON_SLOTS,
+                   frame.buffer("photons' slots", {uint64_t{photons.capacity} * sizeof(uint32_t)}));
     node.dispatch((photons.capacity + 63) / 64);
     return cells;
 }
@@ -87,9 +92,12 @@ IrradianceGrid finishGrid(graph::Frame& frame, const GridCells& cells,
     const Groups groups = addGroups(frame, cells);
     const graph::Buffer table = addAreas(frame, cells, groups, scene, accel);
 
-    const uint64_t bytes = (uint64_t{cells.params.slotMask} + 1) * sizeof(shared::uvec4);
+    const uint64_t slots = uint64_t{cells.params.slotMask} + 1;
     auto clear = frame.transfer("irradiance_grid/clear_look_up");
-    IrradianceGrid grid{clear.fill(frame.buffer("grid look-up", {bytes}), 0), table, cells.params};
+    IrradianceGrid grid{
+        clear.fill(frame.buffer("grid look-up", {slots * sizeof(shared::uvec4)}), 0),
+        clear.fill(frame.buffer("grid look-ups counted", {slots * sizeof(uint32_t)}), 0), table,
+        cells.params};
     auto node = frame.compute("irradiance_grid/resolve", shaders::irradianceGridResolve);
     node.uniformData(shared::SLOT_GRID_PARAMS, cells.params)
         .read(shared::SLOT_GRID_TABLE, table)

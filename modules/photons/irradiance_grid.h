@@ -22,13 +22,15 @@ struct GridSettings {
 /// The grid while it is being filled, batch by batch.
 struct GridCells {
     graph::Buffer table{}, cells{};
-    graph::Buffer counters{};  ///< shared::FrameCounters
+    graph::Buffer counters{};     ///< shared::FrameCounters
+    graph::Buffer photonSlots{};  ///< of the last batch: where each photon went
     shared::GridParams params{};
 };
 
 struct IrradianceGrid {
-    graph::Buffer lookUp{};  ///< texels RGBA32Uint, one a slot
-    graph::Buffer table{};   ///< sums and areas that it was made from
+    graph::Buffer lookUp{};   ///< texels RGBA32Uint, one a slot
+    graph::Buffer lookUps{};  ///< zeros: for counting how often each slot is looked up
+    graph::Buffer table{};    ///< sums and areas that it was made from
     shared::GridParams params{};
 };
 
@@ -39,8 +41,9 @@ struct IrradianceGrid {
 /// The largest table: 128 MiB, Vulkan's guaranteed storage-buffer range.
 constexpr uint32_t kMostGridSlots = 1u << 22;
 
+/// \param counters shared::FrameCounters
 [[nodiscard]] GridCells beginGrid(graph::Frame& frame, const GridSettings& settings,
-                                  float powerScale);
+                                  float powerScale, graph::Buffer counters);
 
 /// \param photons of paths traced with TraceSettings::firstHits, so that direct light is in them
 [[nodiscard]] GridCells addToGrid(graph::Frame& frame, GridCells cells, const PhotonList& photons,

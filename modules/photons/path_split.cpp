@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/check.h"
+
 namespace lampyris::photons {
 namespace {
 
@@ -28,22 +30,20 @@ Emitter sphereEmitter(uint32_t index, const scene::SnapshotLight& light) {
 }
 
 /// Whole shares that sum to `total`, at least one each.
-std::vector<uint32_t> apportion(const std::vector<Emitter>& emitters, uint32_t total) {
-    const double sum = std::accumulate(
-        emitters.begin(), emitters.end(), 0.0,
-        [](double s, const Emitter& e) { return s + static_cast<double>(mean(e.powerWatts)); });
-    const auto spare = static_cast<double>(total - emitters.size());
-    std::vector<uint32_t> shares(emitters.size(), 1);
-    std::vector<double> remainders(emitters.size());
-    uint32_t given = static_cast<uint32_t>(emitters.size());
-    for (size_t i = 0; i < emitters.size(); ++i) {
-        const double exact = spare * static_cast<double>(mean(emitters[i].powerWatts)) / sum;
+std::vector<uint32_t> apportion(const std::vector<double>& weights, uint32_t total) {
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    const auto spare = static_cast<double>(total - weights.size());
+    std::vector<uint32_t> shares(weights.size(), 1);
+    std::vector<double> remainders(weights.size());
+    auto given = static_cast<uint32_t>(weights.size());
+    for (size_t i = 0; i < weights.size(); ++i) {
+        const double exact = spare * weights[i] / sum;
         const auto whole = static_cast<uint32_t>(std::floor(exact));
         shares[i] += whole;
         given += whole;
         remainders[i] = exact - whole;
     }
-    std::vector<size_t> order(emitters.size());
+    std::vector<size_t> order(weights.size());
     std::iota(order.begin(), order.end(), size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](size_t a, size_t b) { return remainders[a] > remainders[b]; });
@@ -68,25 +68,38 @@ std::vector<Emitter> listEmitters(const std::vector<scene::SnapshotLight>& light
     return emitters;
 }
 
-PathSplit splitPaths(const std::vector<Emitter>& emitters, uint32_t paths) {
+PathSplit splitPaths(const std::vector<EmitterPart>& parts, uint32_t paths,
+                     std::span<const double> worth) {
+    CHECK((worth.empty() || worth.size() == parts.size()));
     PathSplit split;
-    if (emitters.empty() || paths == 0) return split;
-    split.paths = std::max(paths, static_cast<uint32_t>(emitters.size()));
-    const std::vector<uint32_t> shares = apportion(emitters, split.paths);
+    if (parts.empty() || paths == 0) return split;
+    split.paths = std::max(paths, static_cast<uint32_t>(parts.size()));
+    std::vector<double> weights(parts.size());
+    for (size_t i = 0; i < parts.size(); ++i)
+        weights[i] = static_cast<double>(mean(parts[i].emitter.powerWatts)) *
+                     (worth.empty() ? 1.0 : worth[i]);
+    const std::vector<uint32_t> shares = apportion(weights, split.paths);
     uint32_t first = 0;
     split.powerScale = 0.0f;
-    for (size_t i = 0; i < emitters.size(); ++i) {
-        const glm::vec3 perPath = emitters[i].sampledWatts / static_cast<float>(shares[i]);
-        split.ranges.push_back({first, shares[i], emitters[i].kind, emitters[i].index,
-                                glm::vec4(perPath, mean(perPath))});
+    for (size_t i = 0; i < parts.size(); ++i) {
+        const Emitter& emitter = parts[i].emitter;
+        const glm::vec3 perPath = emitter.sampledWatts / static_cast<float>(shares[i]);
+        split.ranges.push_back({first, shares[i], emitter.kind, emitter.index,
+                                glm::vec4(perPath, mean(perPath)), parts[i].square});
         first += shares[i];
         // A glowing triangle may hold all the power of a path in one channel.
-        const bool surface = emitters[i].kind == shared::EMIT_SURFACE;
+        const bool surface = emitter.kind == shared::EMIT_SURFACE;
         split.powerScale =
             std::max(split.powerScale, surface ? 3.0f * mean(perPath) : largest(perPath));
         split.anySurface = split.anySurface || surface;
     }
     return split;
+}
+
+PathSplit splitPaths(const std::vector<Emitter>& emitters, uint32_t paths) {
+    std::vector<EmitterPart> parts;
+    for (const Emitter& emitter : emitters) parts.push_back({emitter});
+    return splitPaths(parts, paths);
 }
 
 }  // namespace lampyris::photons

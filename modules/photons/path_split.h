@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "math/glm.h"
@@ -31,9 +32,19 @@ struct PathSplit {
     float powerScale = 1.0f;  ///< watts; the unit in which photons store power
 };
 
-/// Splits in proportion to power (largest remainders, at least one each). A photon's power is
-/// divided by the paths emitted, here alone: each of an emitter's paths carries its power over its
-/// own number of paths, so that emitted power sums to ΣΦ exactly, whatever the split.
+/// A part of an emitter's way out, which gets paths of its own.
+struct EmitterPart {
+    Emitter emitter;                           ///< with the part's share of the power
+    glm::vec4 square{0.0f, 0.0f, 1.0f, 1.0f};  ///< of the unit square: its corner, its sides
+};
+
+/// Splits in proportion to power times worth (largest remainders, at least one each). A photon's
+/// power is divided by the paths emitted, here alone: each of a part's paths carries its power over
+/// its own number of paths, so that emitted power sums to ΣΦ exactly, whatever the split.
+/// \param worth of a part's watt; empty: all the same
+[[nodiscard]] PathSplit splitPaths(const std::vector<EmitterPart>& parts, uint32_t paths,
+                                   std::span<const double> worth = {});
+/// Each emitter as one part, by power alone.
 [[nodiscard]] PathSplit splitPaths(const std::vector<Emitter>& emitters, uint32_t paths);
 
 }  // namespace lampyris::photons

@@ -16,10 +16,10 @@ struct PhotonRay {
     vec3 power;  // watts
 };
 
-// The range's own Hammersley set, shifted as a whole by the seed (Cranley-Patterson).
+// The range's own Hammersley set over its part, shifted as a whole by the seed (Cranley-Patterson).
 vec2 emissionSample(PathRange range, uint local, uint seed) {
     vec2 shift = vec2(tea(uvec2(range.firstPath, seed), 16) & 0x00FFFFFFu) * kTwoToMinus24;
-    return fract(hammersley(local, range.pathCount) + shift);
+    return range.part.xy + range.part.zw * fract(hammersley(local, range.pathCount) + shift);
 }
 
 // Points spread over the sphere, directions by cosine [Thesis 5.3.2.1].
@@ -29,10 +29,11 @@ PhotonRay emitFromSphere(PathRange range, GpuLight light, vec2 xi, inout uvec2 r
                      sampleCosine(outward, random2(random)), range.powerPerPath.rgb);
 }
 
-// A sphere sends the same power every way: draw the way in the cone first, then the point on the half facing it.
-// powerPerPath is that of the full cone; the falloff between the two angles weighs it.
-PhotonRay emitFromSpot(PathRange range, GpuLight light, vec2 xi, inout uvec2 random) {
-    vec3 direction = sampleCone(light.direction.xyz, light.power.w, xi);
+// A sphere sends the same power every way: draw the way first, in the cone if it has one, then the point on the half
+// facing it. powerPerPath is that of the full cone; the falloff between the two angles weighs it.
+PhotonRay emitByDirection(PathRange range, GpuLight light, vec2 xi, inout uvec2 random) {
+    bool spot = light.power.w > -1.0;
+    vec3 direction = sampleCone(spot ? light.direction.xyz : vec3(0.0, 1.0, 0.0), light.power.w, xi);
     vec2 disk = sampleDisk(random2(random));
     vec3 t, b;
     tangents(direction, t, b);
@@ -60,7 +61,7 @@ PhotonRay emitPhoton(PathRange range, uint local, uint seed, inout uvec2 random)
     vec2 xi = emissionSample(range, local, seed);
     if (range.kind == EMIT_SURFACE) return emitFromSurface(range, emitters[range.index], xi, random);
     GpuLight light = emissionLights[range.index];
-    if (light.power.w > -1.0) return emitFromSpot(range, light, xi, random);
+    if (light.power.w > -1.0 || range.kind == EMIT_DIRECTION) return emitByDirection(range, light, xi, random);
     return emitFromSphere(range, light, xi, random);
 }
 

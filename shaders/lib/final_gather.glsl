@@ -7,7 +7,10 @@
 #include "lib/ray_origin.glsl"
 #include "lib/sampling.glsl"
 
-vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint emitterCount, uvec2 random) {
+// firstSlot: of the grid, that the first ray looked up; slotMask + 1 if none.
+vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint emitterCount, uvec2 random,
+                 out uint firstSlot) {
+    firstSlot = grid.slotMask + 1u;
     vec3 origin = clearOf(position, normal, viewDepth);
     vec2 shift = random2(random);
     GatherMix mixed = GatherMix(rays, emitterCount > 0u ? rays : 0u, emitterCount);
@@ -17,8 +20,10 @@ vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint em
         Hit hit;
         if (!traceClosest(origin, direction, 0.0, 1e30, hit)) continue;
         Cell cell = cellOf(origin + hit.t * direction, storedNormal(hit.normalWorld), direction);
-        reflected += hitAlbedo(hit) * gridIrradiance(cell);
+        uint slot;
+        reflected += hitAlbedo(hit) * gridIrradiance(cell, slot);
         if (sceneEmission != 0u) emitted += emissionMet(hit, direction, normal, mixed);
+        if (i == 0u) firstSlot = slot;
     }
     if (sceneEmission != 0u) emitted += emissionSampled(origin, normal, mixed, random);
     return reflected / float(rays) + emitted;

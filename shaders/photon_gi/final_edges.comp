@@ -38,7 +38,8 @@ void main() {
     vec3 irradiance = sum.rgb / max(sum.a, 1e-6);
     if (sum.a < kLeastWeight) {
         uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed ^ 0x5bd1e995u);
-        irradiance = finalGather(position, z, normal, kRaysAlone * params.rays, params.emitterCount, random);
+        uint slot;
+        irradiance = finalGather(position, z, normal, kRaysAlone * params.rays, params.emitterCount, random, slot);
     }
     imageStore(irradianceIndirect, pixel, vec4(min(irradiance, vec3(65504.0)), 1.0));
 }

@@ -1,4 +1,4 @@
-// Indirect irradiance at low resolution, and where each texel stands.
+// Indirect irradiance at low resolution, where each texel stands, and how often each slot of the grid was looked up.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/final_gather.glsl"
@@ -9,6 +9,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = SLOT_FINAL_COARSE, rgba32f) uniform writeonly image2D coarse;
 layout(set = 0, binding = SLOT_FINAL_GUIDE, rgba32ui) uniform writeonly uimage2D guide;
+layout(set = 0, binding = SLOT_FINAL_LOOK_UPS, std430) buffer LookUps { uint lookUps[]; };
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
@@ -21,7 +22,9 @@ void main() {
         vec3 position = positionWorld(pixel, depth);
         vec3 normal = normalAt(pixel);
         uvec2 random = seedRandom(uint(texel.y) * params.coarseWidth + uint(texel.x), params.seed ^ 0x02e5be93u);
-        irradiance = finalGather(position, viewDepth(depth), normal, params.rays, params.emitterCount, random);
+        uint slot;
+        irradiance = finalGather(position, viewDepth(depth), normal, params.rays, params.emitterCount, random, slot);
+        if (slot <= grid.slotMask) atomicAdd(lookUps[slot], 1u);  // one ray speaks for all
         place = uvec4(floatBitsToUint(position), packDirection(normal));
     }
     imageStore(coarse, texel, vec4(irradiance, 1.0));

@@ -9,6 +9,7 @@ layout(set = 0, binding = SLOT_GRID_PHOTONS) uniform usamplerBuffer photons;
 layout(set = 0, binding = SLOT_GRID_PHOTON_TOTAL, std430) readonly buffer Offsets { uint pathOffsets[]; };
 layout(set = 0, binding = SLOT_GRID_TABLE, std430) buffer Table { uint table[]; };
 layout(set = 0, binding = SLOT_GRID_CELLS, std430) buffer Cells { GridCell cells[]; };
+layout(set = 0, binding = SLOT_GRID_PHOTON_SLOTS, std430) writeonly buffer PhotonSlots { uint photonSlots[]; };
 layout(set = 0, binding = SLOT_GRID_COUNTERS, std430) buffer Counters { FrameCounters counters; };
 
 // The cell's slot, taken if it has none; or slotMask + 1 where the table is too full.
@@ -40,6 +41,7 @@ void main() {
     uvec4 a = texelFetch(photons, int(2u * photon));
     uvec4 b = texelFetch(photons, int(2u * photon + 1u));
     uint slot = slotOf(cellOf(photonPosition(a), photonNormal(b), photonDirection(b)));
+    photonSlots[photon] = slot;
     if (slot > grid.slotMask) {
         atomicAdd(counters.cellsDropped, 1u);
         return;

@@ -1,8 +1,8 @@
 // Irradiance of each cell in use: power over area.                                                               [I2]
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "lib/cell_area.glsl"
 #include "lib/indirect_groups.glsl"
-#include "shared/irradiance_grid.h"
 #include "shared/photon.h"
 
 layout(local_size_x = 64) in;
@@ -21,8 +21,6 @@ void main() {
     for (uint c = 0u; c < 3u; ++c)
         power[c] = (float(table[word + GRID_WORD_LOW + c]) + 4294967296.0 * float(table[word + GRID_WORD_HIGH + c])) /
                    float(GRID_POWER_UNITS);
-    // Photons that fell on a sliver which no column met spread over most of a column: dim, never a spark.
-    uint area = max(table[word + GRID_WORD_AREA], 3u * GRID_AREA_UNITS / 4u);
-    float metres2 = grid.offsetCell.w * grid.offsetCell.w * float(area) / (float(GRID_AREA_UNITS) * float(grid.columns));
+    float metres2 = cellMetres2(grid, table[word + GRID_WORD_AREA]);
     lookUp[slot] = uvec4(floatBitsToUint(power * grid.powerScale / metres2), table[word]);
 }

@@ -13,6 +13,7 @@ LAMPYRIS_SLOT(SLOT_GRID_GROUPS, 4u);         // indirect dispatches: of columns,
 LAMPYRIS_SLOT(SLOT_GRID_LOOK_UP, 9u);        // texels RGBA32Uint a slot: irradiance as float bits, fingerprint
 LAMPYRIS_SLOT(SLOT_GRID_PHOTONS, 6u);        // texels RGBA32Uint, two a photon
 LAMPYRIS_SLOT(SLOT_GRID_PHOTON_TOTAL, 7u);   // path offsets; the last is the photons' number
+LAMPYRIS_SLOT(SLOT_GRID_PHOTON_SLOTS, 8u);   // where each photon went; slotMask + 1: nowhere
 
 // A slot of the table: fingerprint of its cell (0: free), power r, g, b as 64-bit sums (low words, high words),
 // and the surface's area. Whole numbers, so that the sums do not hang on their order.

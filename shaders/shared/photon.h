@@ -14,6 +14,15 @@ LAMPYRIS_SLOT(SLOT_PATH_OFFSETS, 4u);     // first photon a path, then their tot
 LAMPYRIS_SLOT(SLOT_PHOTONS, 5u);          // PackedPhoton[], in the order (path, bounce)
 LAMPYRIS_SLOT(SLOT_COUNTERS, 6u);         // FrameCounters
 
+// photon_trace/importance
+LAMPYRIS_SLOT(SLOT_IMPORTANCE_PARAMS, 0u);     // GridParams
+LAMPYRIS_SLOT(SLOT_IMPORTANCE_PHOTONS, 1u);    // texels RGBA32Uint, two a photon
+LAMPYRIS_SLOT(SLOT_IMPORTANCE_OFFSETS, 2u);    // first photon a path, then their total
+LAMPYRIS_SLOT(SLOT_IMPORTANCE_SLOTS, 3u);      // of the grid, a photon
+LAMPYRIS_SLOT(SLOT_IMPORTANCE_TABLE, 4u);      // of the grid
+LAMPYRIS_SLOT(SLOT_IMPORTANCE_LOOK_UPS, 5u);   // how often each slot was looked up
+LAMPYRIS_SLOT(SLOT_IMPORTANCE, 6u);            // a path
+
 // prefix_sum
 LAMPYRIS_SLOT(SLOT_SCAN_COUNTS, 0u);
 LAMPYRIS_SLOT(SLOT_SCAN_OFFSETS, 1u);
@@ -24,16 +33,18 @@ LAMPYRIS_SLOT(SCAN_BLOCK, 1024u);         // elements a workgroup
 LAMPYRIS_SLOT(TRACE_THREADS, 64u);
 LAMPYRIS_SLOT(LEDGER_FLOATS, 16u);        // emitted, absorbed, escaped, in flight, roulette: rgb each; one unused
 
-LAMPYRIS_SLOT(EMIT_SPHERE, 0u);           // `index` is a light
+LAMPYRIS_SLOT(EMIT_SPHERE, 0u);           // `index` is a light; a point on it, then a direction, as in the Thesis
 LAMPYRIS_SLOT(EMIT_SURFACE, 1u);          // `index` is an emissive instance's emitter
+LAMPYRIS_SLOT(EMIT_DIRECTION, 2u);        // `index` is a light; a direction, then a point: the same light
 
-// The paths [firstPath, firstPath + pathCount) leave one emitter, each with powerPerPath watts.
+// The paths [firstPath, firstPath + pathCount) leave one part of an emitter, each with powerPerPath watts.
 struct PathRange {
     uint firstPath;
     uint pathCount;
     uint kind;
     uint index;
     vec4 powerPerPath;
+    vec4 part;             // of the unit square that ways out are drawn from: its corner, its sides
 };
 
 // 32 bytes: position, and power as halves in units of TraceParams.powerScale;

@@ -31,6 +31,7 @@ LAMPYRIS_SLOT(SLOT_FINAL_COARSE, 2u);       // irradiance at low resolution, as 
 LAMPYRIS_SLOT(SLOT_FINAL_GUIDE, 3u);        // where each texel stands: position as float bits, normal octahedral
 LAMPYRIS_SLOT(SLOT_FINAL_COARSE_IN, 4u);    // … as it is read
 LAMPYRIS_SLOT(SLOT_FINAL_GUIDE_IN, 6u);
+LAMPYRIS_SLOT(SLOT_FINAL_LOOK_UPS, 5u);     // how often each slot of the grid was looked up by a texel's first ray
 
 LAMPYRIS_SLOT(SLOT_HISTORY_PARAMS, 0u);      // HistoryParams
 LAMPYRIS_SLOT(SLOT_HISTORY_BEFORE, 1u);      // mean irradiance, a = frames in it

@@ -86,4 +86,27 @@ inline assets::Mesh uvSphere(float radius, uint32_t slices, uint32_t stacks) {
     return mesh;
 }
 
+/// Closed, 4 m wide and 3 m high, from x0 to x1.
+inline void addRoom(scene::SceneSnapshot& snapshot, float x0, float x1) {
+    const auto white = lambertian(glm::vec3(0.7f));
+    const auto add = [&](glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
+        addInstance(snapshot, quad(a, b, c, d), white);
+    };
+    add({x0, 0, 2}, {x1, 0, 2}, {x1, 0, -2}, {x0, 0, -2});
+    add({x0, 3, -2}, {x1, 3, -2}, {x1, 3, 2}, {x0, 3, 2});
+    add({x0, 0, -2}, {x1, 0, -2}, {x1, 3, -2}, {x0, 3, -2});
+    add({x1, 0, 2}, {x0, 0, 2}, {x0, 3, 2}, {x1, 3, 2});
+    add({x0, 0, 2}, {x0, 0, -2}, {x0, 3, -2}, {x0, 3, 2});
+    add({x1, 0, -2}, {x1, 0, 2}, {x1, 3, 2}, {x1, 3, -2});
+}
+
+/// Two closed rooms of 4 m, a wall of 5 cm between them, light in the left one alone.
+inline scene::SceneSnapshot twoClosedRooms() {
+    scene::SceneSnapshot snapshot;
+    addRoom(snapshot, -4.025f, -0.025f);
+    addRoom(snapshot, 0.025f, 4.025f);
+    addLight(snapshot, {-1.5f, 2.0f, 0.0f}, 0.1f, 200.0f);
+    return snapshot;
+}
+
 }  // namespace lampyris::test

@@ -50,7 +50,7 @@ class IrradianceGridTest : public test::FrameTest {
         const TraceSettings settings{4, true, 1, paths * 4, true};
         const auto list = addPhotonTrace(on.frame, on.handles, on.tree, split, {0, split.paths},
                                          settings, on.counters);
-        auto cells = beginGrid(on.frame, {kCell, slots, 64, 1}, split.powerScale);
+        auto cells = beginGrid(on.frame, {kCell, slots, 64, 1}, split.powerScale, list.counters);
         cells = addToGrid(on.frame, cells, list, on.handles, on.tree);
         const auto grid = finishGrid(on.frame, cells, on.handles, on.tree);
         const auto result =

@@ -53,29 +53,8 @@ TEST_F(FinalGather, TendsToTheReferenceAtEveryStep) {
     EXPECT_LE(last, 0.002);
 }
 
-/// Two closed rooms of 4 m, a wall of 5 cm between them, light in the left one alone.
-scene::SceneSnapshot twoCells() {
-    scene::SceneSnapshot snapshot;
-    const auto white = test::lambertian(glm::vec3(0.7f));
-    const auto room = [&](float x0, float x1) {
-        const auto add = [&](glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
-            test::addInstance(snapshot, test::quad(a, b, c, d), white);
-        };
-        add({x0, 0, 2}, {x1, 0, 2}, {x1, 0, -2}, {x0, 0, -2});
-        add({x0, 3, -2}, {x1, 3, -2}, {x1, 3, 2}, {x0, 3, 2});
-        add({x0, 0, -2}, {x1, 0, -2}, {x1, 3, -2}, {x0, 3, -2});
-        add({x1, 0, 2}, {x0, 0, 2}, {x0, 3, 2}, {x1, 3, 2});
-        add({x0, 0, 2}, {x0, 0, -2}, {x0, 3, -2}, {x0, 3, 2});
-        add({x1, 0, -2}, {x1, 0, 2}, {x1, 3, 2}, {x1, 3, -2});
-    };
-    room(-4.025f, -0.025f);
-    room(0.025f, 4.025f);
-    test::addLight(snapshot, {-1.5f, 2.0f, 0.0f}, 0.1f, 200.0f);
-    return snapshot;
-}
-
 TEST_F(FinalGather, LightDoesNotLeakThroughAWallOfFiveCentimetres) {
-    const auto snapshot = twoCells();
+    const auto snapshot = test::twoClosedRooms();
     const auto meanSeen = [&](float x, float target) {
         double sum = 0.0;
         for (uint32_t seed = 1; seed <= 4; ++seed) {
@@ -174,6 +153,7 @@ TEST_F(FinalGather, TheMeanBeginsAnewWhenSettingsChange) {
     test::SceneRenderer renderer(device(), snapshot);
     auto wanted = request(96, 54, snapshot.cameras.front());
     wanted.settings.history = 32;
+    wanted.settings.guiding = false;
     for (; wanted.frameNumber < 4; ++wanted.frameNumber) render(renderer, wanted, "indirect");
     wanted.settings.maxBounces = 1;
     const auto after = render(renderer, wanted, "indirect");

@@ -53,7 +53,7 @@ TEST(PathSplit, GivesEveryEmitterAPathEvenWhereTooFewWereAskedFor) {
 
 TEST(PathSplit, LeavesOutWhatDoesNotShine) {
     EXPECT_TRUE(listEmitters({light(0.0f)}, {}).empty());
-    EXPECT_EQ(splitPaths({}, 1000).paths, 0u);
+    EXPECT_EQ(splitPaths(std::vector<Emitter>{}, 1000).paths, 0u);
     shared::GpuEmitter panel{};
     panel.power = {3.0f, 3.0f, 3.0f, 3.0f};
     panel.triangleCount = 2;
