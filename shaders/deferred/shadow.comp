@@ -9,6 +9,13 @@
 #include "lib/shadow_rays.glsl"
 #include "lib/surface.glsl"
 
+// The sets of four texels in a square interleave to one of four times the points.
+vec2 interleaved(ivec2 texel) {
+    uint corner = uint(texel.x & 1) + 2u * uint(texel.y & 1);
+    vec2 shift = vec2(seedRandom(params.seed, 0x3c6ef372u) & 0x00FFFFFFu) * kTwoToMinus24;
+    return shift + vec2(float(corner) / 4.0, radicalInverse2(corner)) / float(params.rays);
+}
+
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = SLOT_LIGHTS, std430) readonly buffer Lights { GpuLight lights[]; };
 layout(set = 0, binding = SLOT_LIGHT_MASKS, std430) readonly buffer Masks { uint masks[]; };
@@ -31,13 +38,14 @@ void main() {
     }
     imageStore(guide, texel, place);
     uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed ^ 0x68bc21ebu);
+    vec2 shift = interleaved(texel);
     for (uint word = 0u; word < params.maskWords; ++word) {
         uint bits[SHADOW_MOST_PLANES] = uint[SHADOW_MOST_PLANES](0u, 0u, 0u, 0u, 0u);
         uint left = depth > 0.0 ? masks[(tile * 2u) * params.maskWords + word] : 0u;
         while (left != 0u) {
             uint bit = uint(findLSB(left));
             left &= left - 1u;
-            uint seen = raysThatSee(lights[word * 32u + bit], origin, normal, params.rays, random);
+            uint seen = raysThatSee(lights[word * 32u + bit], origin, normal, params.rays, shift, random);
             for (uint k = 0u; k < SHADOW_MOST_PLANES; ++k) bits[k] |= ((seen >> k) & 1u) << bit;
         }
         for (uint k = 0u; k < params.planes; ++k)

@@ -23,7 +23,7 @@ void main() {
         while (left != 0u) {
             uint i = word * 32u + uint(findLSB(left));
             left &= left - 1u;
-            uint seen = raysThatSee(lights[i], origin, p.normal, params.rays, random);
+            uint seen = raysThatSee(lights[i], origin, p.normal, params.rays, random2(random), random);
             addLight(p, i, float(seen) / float(params.rays));
         }
     }

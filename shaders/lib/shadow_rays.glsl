@@ -22,13 +22,13 @@ vec3 pointOnLight(vec3 toCentre, float radius, vec3 normal, vec2 xi, inout uvec2
     return normalize(toCentre + normal * radius);
 }
 
-uint raysThatSee(GpuLight light, vec3 origin, vec3 normal, uint rays, inout uvec2 random) {
+// shift: of the rays' set of points, on the unit square.
+uint raysThatSee(GpuLight light, vec3 origin, vec3 normal, uint rays, vec2 shift, inout uvec2 random) {
     vec3 toCentre = light.positionRadius.xyz - origin;
     float d2 = dot(toCentre, toCentre);
     float radius = light.positionRadius.w;
     if (d2 <= radius * radius) return rays;                // inside the light
     if (dot(toCentre, normal) <= -radius) return 0u;       // all of it under the horizon
-    vec2 shift = random2(random);
     uint seen = 0u;
     for (uint i = 0u; i < rays; ++i) {
         vec3 direction = pointOnLight(toCentre, radius, normal, fract(hammersley(i, rays) + shift), random);
