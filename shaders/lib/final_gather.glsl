@@ -8,15 +8,14 @@
 #include "lib/sampling.glsl"
 
 // firstSlot: of the grid, that the first ray looked up; slotMask + 1 if none.
-vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint emitterCount, uvec2 random,
+vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint emitterCount, uint firstSample, uvec2 seed,
                  out uint firstSlot) {
     firstSlot = grid.slotMask + 1u;
     vec3 origin = clearOf(position, normal, viewDepth);
-    vec2 shift = random2(random);
     GatherMix mixed = GatherMix(rays, emitterCount > 0u ? rays : 0u, emitterCount);
     vec3 reflected = vec3(0.0), emitted = vec3(0.0);
     for (uint i = 0u; i < rays; ++i) {
-        vec3 direction = sampleCosine(normal, fract(hammersley(i, rays) + shift));
+        vec3 direction = sampleCosine(normal, sobol2(firstSample + i, seed));
         Hit hit;
         if (!traceClosest(origin, direction, 0.0, 1e30, hit)) continue;
         Cell cell = cellOf(origin + hit.t * direction, storedNormal(hit.normalWorld), direction);
@@ -25,7 +24,7 @@ vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint em
         if (sceneEmission != 0u) emitted += emissionMet(hit, direction, normal, mixed);
         if (i == 0u) firstSlot = slot;
     }
-    if (sceneEmission != 0u) emitted += emissionSampled(origin, normal, mixed, random);
+    if (sceneEmission != 0u) emitted += emissionSampled(origin, normal, mixed, firstSample, seed);
     return reflected / float(rays) + emitted;
 }
 

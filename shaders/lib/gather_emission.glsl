@@ -32,16 +32,17 @@ vec3 emissionMet(Hit hit, vec3 direction, vec3 normal, GatherMix mixed) {
 }
 
 // Of all samples: each a triangle by power, a point of it, and a ray there that must meet just that triangle.
-vec3 emissionSampled(vec3 origin, vec3 normal, GatherMix mixed, inout uvec2 random) {
+vec3 emissionSampled(vec3 origin, vec3 normal, GatherMix mixed, uint firstSample, uvec2 seed) {
     uint triangleCount = 0u;
     if (mixed.samples > 0u) {
         GpuEmitter last = emitters[mixed.emitterCount - 1u];
         triangleCount = last.firstTriangle + last.triangleCount;
     }
-    vec2 shift = random2(random);
+    uvec2 scramble = tea(seed, 8);
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < mixed.samples; ++i) {
-        vec2 xi = fract(hammersley(i, mixed.samples) + shift);
+        vec2 xi = sobol2(firstSample + i, scramble);
+        uvec2 random = seedRandom(firstSample + i, scramble.x);
         uint triangle = triangleByShare(0u, triangleCount, 3u, xi.x);
         vec3 to = pointOfTriangle(triangle, vec2(xi.y, random2(random).x)) - origin;
         vec3 direction = normalize(to);

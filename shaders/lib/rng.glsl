@@ -30,4 +30,32 @@ vec2 hammersley(uint index, uint count) {
     return vec2((float(index) + 0.5) / float(count), radicalInverse2(index));
 }
 
+// Nested uniform scrambling in base 2 by a hash (Owen 1995; Laine and Karras 2011, with Burley's constants of 2020).
+uint owenScramble(uint bits, uint seed) {
+    bits = bitfieldReverse(bits) + seed;
+    bits ^= bits * 0x6c50b47cu;
+    bits ^= bits * 0xb82f1e52u;
+    bits ^= bits * 0xc7afe638u;
+    bits ^= bits * 0x8d22f6e6u;
+    return bitfieldReverse(bits);
+}
+
+// Point of a scrambled Sobol sequence: any 2^k from a multiple of 2^k on are a (0, k, 2)-net.
+vec2 sobol2(uint index, uvec2 seed) {
+    uvec2 bits = uvec2(bitfieldReverse(index), 0u);
+    for (uint v = 0x80000000u; index != 0u; index >>= 1, v ^= v >> 1) bits.y ^= v * (index & 1u);
+    bits = uvec2(owenScramble(bits.x, seed.x), owenScramble(bits.y, seed.y));
+    return vec2(bits >> 8) * kTwoToMinus24;
+}
+
+// A texel's number along a Z-order curve.
+uint zOrder(uvec2 texel) {
+    uvec2 b = texel;
+    b = (b | (b << 8)) & 0x00ff00ffu;
+    b = (b | (b << 4)) & 0x0f0f0f0fu;
+    b = (b | (b << 2)) & 0x33333333u;
+    b = (b | (b << 1)) & 0x55555555u;
+    return b.x | (b.y << 1);
+}
+
 #endif

@@ -21,9 +21,9 @@ void main() {
     if (depth > 0.0) {
         vec3 position = positionWorld(pixel, depth);
         vec3 normal = normalAt(pixel);
-        uvec2 random = seedRandom(uint(texel.y) * params.coarseWidth + uint(texel.x), params.seed ^ 0x02e5be93u);
         uint slot;
-        irradiance = finalGather(position, viewDepth(depth), normal, params.rays, params.emitterCount, random, slot);
+        irradiance = finalGather(position, viewDepth(depth), normal, params.rays, params.emitterCount,
+                                 zOrder(uvec2(texel)) * params.rays, seedRandom(0u, params.seed), slot);
         if (slot <= grid.slotMask) atomicAdd(lookUps[slot], 1u);  // one ray speaks for all
         place = uvec4(floatBitsToUint(position), packDirection(normal));
     }

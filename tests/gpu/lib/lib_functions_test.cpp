@@ -19,6 +19,7 @@ struct Row {
     glm::vec4 direction;
     glm::vec4 unpacked;
     glm::vec4 exponent;
+    glm::vec4 sobol;
 };
 
 constexpr uint32_t kCount = 1u << 16;
@@ -93,6 +94,35 @@ TEST_F(LibFunctions, AgreeWithPlainArithmetic) {
     }
     EXPECT_NEAR(cosines / kCount, 2.0 / 3.0, 0.003);  // E[cos] under a cosine-weighted density
     EXPECT_LT(glm::length(mean) / kCount, 1e-3);
+}
+
+TEST_F(LibFunctions, AlignedRunsOfSobolPointsAreNets) {
+    constexpr uint32_t kBits = 8;
+    constexpr uint32_t kRun = 1u << kBits;
+    const auto all = rows();
+    for (uint32_t first = 0; first < 16 * kRun; first += kRun)
+        for (uint32_t bitsX = 0; bitsX <= kBits; ++bitsX) {
+            // Boxes of 2^-bitsX by 2^(bitsX - 8): one point each.
+            std::array<uint32_t, kRun> hits{};
+            for (uint32_t i = first; i < first + kRun; ++i) {
+                const auto x = static_cast<uint32_t>(std::ldexp(all[i].sobol.x, int(bitsX)));
+                const auto y =
+                    static_cast<uint32_t>(std::ldexp(all[i].sobol.y, int(kBits - bitsX)));
+                ASSERT_LT((x << (kBits - bitsX)) + y, kRun);
+                ++hits[(x << (kBits - bitsX)) + y];
+            }
+            for (const uint32_t count : hits) ASSERT_EQ(count, 1u) << first << ", " << bitsX;
+        }
+}
+
+TEST_F(LibFunctions, ZOrderInterleavesTheBitsOfBothPlaces) {
+    const auto all = rows();
+    for (uint32_t i = 0; i < kCount; ++i) {
+        uint32_t expected = 0;
+        for (uint32_t bit = 0; bit < 8; ++bit)
+            expected |= ((i >> bit) & 1u) << (2 * bit) | ((i >> (8 + bit)) & 1u) << (2 * bit + 1);
+        ASSERT_EQ(std::bit_cast<uint32_t>(all[i].sobol.z), expected);
+    }
 }
 
 TEST_F(LibFunctions, SphereFormFactorIsTheIntegralOverItsCap) {

@@ -12,6 +12,7 @@ struct Row {
     vec4 direction;       // on the sphere; w: form factor
     vec4 unpacked;        // the direction through 16-bit octahedral numbers; w: cosine sample's cosine
     vec4 exponent;        // a colour through the shared exponent
+    vec4 sobol;           // a point of the scrambled sequence, the index's place on a Z-order curve as bits
 };
 layout(set = 0, binding = 0, std430) writeonly buffer Rows { Row rows[]; };
 layout(push_constant) uniform Push { uint count; };
@@ -30,5 +31,6 @@ void main() {
     rows[i].radicalTea = vec4(radicalInverse2(i), uintBitsToFloat(hashed & 0x3fffffffu), 0.0);
     rows[i].direction = vec4(direction, sphereFormFactor(cosTheta, sinSigma2));
     rows[i].unpacked = vec4(unpackDirection(packDirection(direction)), dot(scattered, direction));
+    rows[i].sobol = vec4(sobol2(i, uvec2(3u, 9u)), uintBitsToFloat(zOrder(uvec2(i & 255u, i >> 8))), 0.0);
     rows[i].exponent = vec4(colour - unpackSharedExponent(packSharedExponent(colour)), max(colour.r, max(colour.g, colour.b)));
 }
