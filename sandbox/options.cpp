@@ -91,6 +91,36 @@ bool endsIn(const std::filesystem::path& path, std::initializer_list<const char*
     return path.empty();
 }
 
+/// Options that were given and would change nothing.
+core::Result<void> checkUsed(const Options& o) {
+    struct Asked {
+        const char* flag;
+        bool given;  ///< and not switched off
+    };
+    const bool off = o.pipeline == Pipeline::Direct;
+    const std::array light{Asked{"--photons", o.photons.has_value()},
+                           Asked{"--radius", o.radius.has_value()},
+                           Asked{"--max-bounces", o.maxBounces.value_or(0) > 0},
+                           Asked{"--gather", o.gather.has_value()},
+                           Asked{"--gather-divisor", o.gatherDivisor.has_value()}};
+    for (const auto& [flag, given] : light)
+        if (off && given)
+            return core::error("{} is of indirect light; --pipeline direct has none", flag);
+    const bool final =
+        o.pipeline == Pipeline::Full && o.gather != std::optional{photon_gi::Gather::Tiles};
+    const std::array gather{Asked{"--gather-rays", o.gatherRays.has_value()},
+                            Asked{"--filter-levels", o.filterLevels.value_or(0) > 0},
+                            Asked{"--history", o.history.value_or(0) > 0}};
+    for (const auto& [flag, given] : gather)
+        if (!final && given) return core::error("{} is of full's final gather", flag);
+    const std::array shadows{Asked{"--shadow-divisor", o.shadowDivisor.has_value()},
+                             Asked{"--shadow-rays", o.shadowRays.has_value()}};
+    for (const auto& [flag, given] : shadows)
+        if (o.pipeline == Pipeline::Thesis && given)
+            return core::error("{} is of shadows; --pipeline thesis has none", flag);
+    return {};
+}
+
 }  // namespace
 
 CLI::Validator finite(double least, double most) {
@@ -192,9 +222,7 @@ core::Result<void> checkCall(const Options& o) {
                            *o.maxBounces);
     if (o.pipeline == Pipeline::Thesis && o.gather == photon_gi::Gather::Final)
         return core::error("--pipeline thesis gathers from tiles; --gather final needs full");
-    if (o.history.value_or(0) > 0 &&
-        (o.pipeline != Pipeline::Full || o.gather == photon_gi::Gather::Tiles))
-        return core::error("--history {} is of full's final gather", *o.history);
+    TRY_VOID(checkUsed(o));
     const std::array files{o.output, o.report, o.graph, o.trace};
     for (size_t i = 0; i < files.size(); ++i)
         for (size_t j = 0; j < i; ++j)

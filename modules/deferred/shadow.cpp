@@ -7,6 +7,23 @@
 #include "shared/scene.h"
 
 namespace lampyris::deferred {
+namespace {
+
+/// Bits that hold a number of rays, one at least.
+uint32_t planesOf(uint32_t rays) {
+    return static_cast<uint32_t>(std::bit_width(rays | 1u));
+}
+
+}  // namespace
+
+core::Result<void> checkShadowCounts(uint32_t lights, uint32_t rays, uint32_t maxImageArrayLayers) {
+    const uint32_t most = 32 * (maxImageArrayLayers / planesOf(rays));
+    if (lights <= most) return {};
+    return core::error(
+        "{} lights cast shadows by {} rays each: the device's limit maxImageArrayLayers, {}, has "
+        "room for {} lights",
+        lights, rays, maxImageArrayLayers, most);
+}
 
 Shadows addShadow(graph::Frame& frame, const Surface& surface, const LightLists& lights,
                   const residency::SceneHandles& scene, const accel::AccelHandles& accel,
@@ -19,7 +36,7 @@ Shadows addShadow(graph::Frame& frame, const Surface& surface, const LightLists&
     shadows.params.coarseWidth = size.width;
     shadows.params.coarseHeight = size.height;
     shadows.params.rays = settings.rays;
-    shadows.params.planes = static_cast<uint32_t>(std::bit_width(settings.rays));
+    shadows.params.planes = planesOf(settings.rays);
     shadows.params.seed = settings.seed;
     CHECK(settings.rays > 0u);
     CHECK(shadows.params.planes <= shared::SHADOW_MOST_PLANES);

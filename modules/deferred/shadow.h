@@ -4,6 +4,7 @@
 #pragma once
 
 #include "accel/accel_on_gpu.h"
+#include "core/result.h"
 #include "deferred/light_lists.h"
 
 namespace lampyris::deferred {
@@ -21,6 +22,9 @@ struct Shadows {
     graph::Image guide{};  ///< RGBA32Uint: position as float bits, normal octahedral
     shared::DirectParams params{};
 };
+
+/// Whether the counts of so many lights and rays fit the layers that the device's images may have.
+core::Result<void> checkShadowCounts(uint32_t lights, uint32_t rays, uint32_t maxImageArrayLayers);
 
 [[nodiscard]] Shadows addShadow(graph::Frame& frame, const Surface& surface,
                                 const LightLists& lights, const residency::SceneHandles& scene,

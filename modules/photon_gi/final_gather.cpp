@@ -19,6 +19,19 @@ shared::GatherParams finalParams(const shared::View& view, const FinalGatherSett
     return params;
 }
 
+/// Of nodes that trace rays.
+shared::GatherParams rayParams(const shared::View& view, const GatherWorld& world,
+                               const FinalGatherSettings& settings) {
+    shared::GatherParams params = finalParams(view, settings);
+    params.emitterCount = world.scene.emitterCount;
+    return params;
+}
+
+void bindWorld(graph::ComputeNode& node, const GatherWorld& world) {
+    photons::bindGrid(node, world.grid, world.scene, world.accel);
+    residency::bindEmitters(node, world.scene);
+}
+
 void bindCoarse(graph::ComputeNode& node, const CoarseIrradiance& coarse) {
     node.sample(shared::SLOT_FINAL_COARSE_IN, coarse.irradiance)
         .sample(shared::SLOT_FINAL_GUIDE_IN, coarse.guide);
@@ -32,11 +45,11 @@ graph::Image addEdgePixels(graph::Frame& frame, const deferred::Surface& surface
                            const FinalGatherSettings& settings) {
     auto node = frame.compute("upsample/edges", shaders::finalEdges);
     deferred::bindSurface(node, surface);
-    photons::bindGrid(node, world.grid, world.scene, world.accel);
+    bindWorld(node, world);
     bindCoarse(node, coarse);
     node.read(shared::SLOT_GATHER_COUNTERS, edges.counters)
         .read(shared::SLOT_GATHER_LIST, edges.list)
-        .push(finalParams(surface.view, settings));
+        .push(rayParams(surface.view, world, settings));
     irradiance = node.update(shared::SLOT_GATHER_IRRADIANCE, irradiance);
     node.dispatchIndirect(edges.groups);
     return irradiance;
@@ -50,8 +63,8 @@ FinalGathered addFinalGather(graph::Frame& frame, const deferred::Surface& surfa
     const graph::Extent size = coarseSize(surface.view, settings.divisor);
     auto node = frame.compute("gather", shaders::finalGather);
     deferred::bindSurface(node, surface);
-    photons::bindGrid(node, world.grid, world.scene, world.accel);
-    node.push(finalParams(surface.view, settings));
+    bindWorld(node, world);
+    node.push(rayParams(surface.view, world, settings));
     FinalGathered gathered;
     gathered.coarse.irradiance =
         node.write(shared::SLOT_FINAL_COARSE,

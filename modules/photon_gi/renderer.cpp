@@ -6,6 +6,7 @@
 
 #include "core/check.h"
 
+#include "deferred/shadow.h"
 #include "deferred/view.h"
 #include "photon_gi/tile_bin.h"
 #include "photons/irradiance_grid.h"
@@ -114,6 +115,9 @@ DrawnFrame Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
     in.view = deferred::makeView(request.camera, request.size);
     in.seed = frameSeed(request.settings, request.frameNumber);
     in.past = recall(in.view, request.settings);
+    const Settings& asked = request.settings;
+    const bool shadows = asked.shadows && asked.pipeline != Pipeline::Thesis;
+    shadowRays_ = shadows ? asked.shadowRays : 0;
     Settings settings = request.settings;
     settings.largestBatch = std::min(settings.largestBatch, largestBatch_);
     return drawFrame(frame, in, settings, room_);
@@ -124,10 +128,15 @@ void Renderer::shrinkBatches(double share) {
     largestBatch_ = std::max(1u, static_cast<uint32_t>(batch * std::min(share, 0.9)));
 }
 
-bool Renderer::grow(const shared::FrameCounters& counters) {
+core::Result<bool> Renderer::grow(const shared::FrameCounters& counters) {
     const bool dropped = counters.photonsDropped > 0 || counters.pairsDropped > 0;
     const bool fullGrid = counters.cellsDropped > 0;
-    if (fullGrid) room_.gridSlots = std::min(4 * room_.gridSlots, photons::kMostGridSlots);
+    if (fullGrid && room_.gridSlots >= room_.mostGridSlots)
+        return core::error(
+            "the irradiance grid is full: {} cells and no more find room at its largest; a larger "
+            "--radius makes larger cells",
+            counters.cells);
+    if (fullGrid) room_.gridSlots = std::min(4 * room_.gridSlots, room_.mostGridSlots);
     const bool crowded = counters.mostInTile > kMostPhotonsInTile && lastBatch_ > 1;
     if (counters.photonsDropped > 0)
         room_.photons = grown(counters.photonsNeeded, photons::kMaxPhotonCapacity);
@@ -144,6 +153,9 @@ bool Renderer::grow(const shared::FrameCounters& counters) {
 core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFrame& drawn,
                                               const std::string& outputNode,
                                               graph::CompileOptions options) {
+    if (shadowRays_ > 0)
+        TRY_VOID(deferred::checkShadowCounts(scene_.lightCount(), shadowRays_,
+                                             scene_.device().limits().core.maxImageArrayLayers));
     execute::RunOptions runOptions;
     if (!outputNode.empty()) {
         const graph::Image image = frame.published(outputNode);
@@ -168,7 +180,8 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
     if (!result.images.empty()) outcome.image = execute::toImage(result.images.front());
     const auto importance = readReport(drawn, result.buffers, outcome.report);
     outcome.report.paths = drawn.ledgers.empty() ? 0 : split_.paths;
-    outcome.report.valid = !grow(outcome.report.counters);
+    TRY(const bool lacking, grow(outcome.report.counters));
+    outcome.report.valid = !lacking;
     if (!outcome.report.valid)
         drawn_.sceneVersion = 0;  // its light is not all there
     else if (!importance.empty())

@@ -66,7 +66,8 @@ class Renderer {
     /// What the mean over frames may go on from.
     [[nodiscard]] Past recall(const shared::View& view, const Settings& settings);
     /// Gives the next frame the room that this one lacked. True where something was dropped or cut.
-    bool grow(const shared::FrameCounters& counters);
+    /// An error where more room cannot be had.
+    core::Result<bool> grow(const shared::FrameCounters& counters);
     void shrinkBatches(double share);
 
     execute::Executor* executor_;
@@ -86,6 +87,7 @@ class Renderer {
     uint32_t largestBatch_ = 0xffffffffu;  ///< paths; halved while a batch's pairs do not fit
     uint32_t lastBatch_ = 0;               ///< the largest of the last frame
     uint32_t mostPairs_ = 0;               ///< that one batch may have at this size
+    uint32_t shadowRays_ = 0;              ///< that the declared frame sends to each light; 0: none
     Capacities room_;
 };
 

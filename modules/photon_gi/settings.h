@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "math/glm.h"
+#include "photons/irradiance_grid.h"
 
 namespace lampyris::photon_gi {
 
@@ -46,9 +47,10 @@ struct Settings {
 
 /// Room for what a frame makes; grows after an overflow.
 struct Capacities {
-    uint32_t photons = 0;           ///< of the largest batch
-    uint32_t pairs = 0;             ///< (tile, photon), of the largest batch
-    uint32_t gridSlots = 1u << 16;  ///< of the irradiance grid
+    uint32_t photons = 0;                              ///< of the largest batch
+    uint32_t pairs = 0;                                ///< (tile, photon), of the largest batch
+    uint32_t gridSlots = 1u << 16;                     ///< of the irradiance grid
+    uint32_t mostGridSlots = photons::kMostGridSlots;  ///< that it may grow to
 };
 
 [[nodiscard]] inline bool finalGathers(const Settings& s) {

@@ -52,9 +52,8 @@ PhotonList addPhotonTrace(graph::Frame& frame, const residency::SceneHandles& sc
 
     auto trace = frame.compute("photon_trace", shaders::photonTrace);
     accel::bindTraversal(trace, accel, scene);
+    residency::bindEmitters(trace, scene);
     trace.read(shared::SLOT_LIGHTS, scene.lights)
-        .read(shared::SLOT_EMITTERS, scene.emitters)
-        .texels(shared::SLOT_EMITTER_TRIANGLES, scene.emitterTriangles, graph::Format::RGBA32Float)
         .storageData(shared::SLOT_PATH_RANGES, split.ranges.data(),
                      split.ranges.size() * sizeof(shared::PathRange))
         .push(shared::TraceParams{batch.firstPath, batch.pathCount,

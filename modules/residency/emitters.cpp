@@ -108,17 +108,34 @@ void addEmitter(EmitterTable& table, const scene::SceneSnapshot& snapshot, uint3
                               static_cast<uint32_t>(cumulative.size()), flags});
 }
 
+void shareOfAll(EmitterTable& table) {
+    double all = 0.0;
+    for (const auto& emitter : table.emitters) all += static_cast<double>(emitter.power.w);
+    double before = 0.0;
+    for (const auto& emitter : table.emitters) {
+        const double power = static_cast<double>(emitter.power.w);
+        for (uint32_t i = 0; i < emitter.triangleCount; ++i) {
+            auto& triangle = table.triangles[emitter.firstTriangle + i];
+            triangle.cumulativeOfAll = static_cast<float>(
+                (before + static_cast<double>(triangle.cumulative) * power) / all);
+        }
+        before += power;
+    }
+    if (!table.triangles.empty()) table.triangles.back().cumulativeOfAll = 1.0f;
+}
+
+}  // namespace
+
 bool emits(const scene::SceneSnapshot& snapshot, const scene::SnapshotInstance& instance) {
     const glm::vec3 radiance = snapshot.materials[instance.material].value->emissiveRadiance;
     return glm::any(glm::greaterThan(radiance, glm::vec3(0.0f)));
 }
 
-}  // namespace
-
 EmitterTable buildEmitters(const scene::SceneSnapshot& snapshot) {
     EmitterTable table;
     for (uint32_t i = 0; i < snapshot.instances.size(); ++i)
         if (emits(snapshot, snapshot.instances[i])) addEmitter(table, snapshot, i);
+    shareOfAll(table);
     return table;
 }
 

@@ -17,8 +17,8 @@ struct EmitterTriangle {
     float cumulative = 0.0f;  ///< share of the emitter's power up to and with this triangle
     glm::vec3 e2{0.0f};
     float areaSquareMetres = 0.0f;
-    glm::vec3 radiance{0.0f};  ///< mean over the triangle, W/(m²·sr)
-    float pad0 = 0.0f;
+    glm::vec3 radiance{0.0f};      ///< mean over the triangle, W/(m²·sr)
+    float cumulativeOfAll = 0.0f;  ///< share of all emitters' power up to and with this triangle
 };
 static_assert(sizeof(EmitterTriangle) == shared::EMITTER_TEXELS * sizeof(glm::vec4));
 
@@ -26,6 +26,10 @@ struct EmitterTable {
     std::vector<shared::GpuEmitter> emitters;  ///< in the order of the instances
     std::vector<EmitterTriangle> triangles;    ///< by primitive, those without power left out
 };
+
+/// Whether an instance glows, with or without an area to do so.
+[[nodiscard]] bool emits(const scene::SceneSnapshot& snapshot,
+                         const scene::SnapshotInstance& instance);
 
 /// Power is π · radiance · area [E1], twice that where the material is double-sided.
 [[nodiscard]] EmitterTable buildEmitters(const scene::SceneSnapshot& snapshot);

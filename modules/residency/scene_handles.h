@@ -30,6 +30,7 @@ struct SceneHandles {
     bool anyTextures = false;  ///< a material has a texture
     bool anySpecular = false;  ///< a material is not Lambertian
     bool anyColours = false;   ///< a mesh has vertex colours
+    bool anyEmission = false;  ///< an instance glows
 };
 
 /// One indexed draw of the raster nodes. Offsets are for Draw::streamOffsets; a stream that the
@@ -54,5 +55,8 @@ struct DrawItem {
 /// Binds what lib/scene_material.glsl reads: instances, materials, indices, texcoords, colours and
 /// both texture arrays, each at its slot of shaders/shared/scene.h.
 void bindMaterials(graph::ComputeNode& node, const SceneHandles& scene);
+
+/// Binds what lib/emitter_table.glsl reads.
+void bindEmitters(graph::ComputeNode& node, const SceneHandles& scene);
 
 }  // namespace lampyris::residency

@@ -65,6 +65,9 @@ core::Result<void> SceneOnGpu::Parts::updateInstances(const scene::SceneSnapshot
         });
     counts.anyColours = std::any_of(snapshot.meshes.begin(), snapshot.meshes.end(),
                                     [](const auto& mesh) { return !mesh.value->colours.empty(); });
+    counts.anyEmission =
+        std::any_of(snapshot.instances.begin(), snapshot.instances.end(),
+                    [&](const auto& instance) { return emits(snapshot, instance); });
     counts.instanceCount = static_cast<uint32_t>(snapshot.instances.size());
     return {};
 }
@@ -199,6 +202,9 @@ const std::vector<shared::GpuEmitter>& SceneOnGpu::emitters() const {
     return parts_->emitterEntries;
 }
 
+uint32_t SceneOnGpu::lightCount() const {
+    return parts_->counts.lightCount;
+}
 const UploadCounts& SceneOnGpu::lastUpload() const {
     return parts_->uploaded;
 }
@@ -223,7 +229,13 @@ void bindMaterials(graph::ComputeNode& node, const SceneHandles& scene) {
         .sample(shared::SLOT_COLOUR_TEXTURES, scene.colourTextures, kLinear, kRepeat)
         .sample(shared::SLOT_DATA_TEXTURES, scene.dataTextures, kLinear, kRepeat)
         .specialise(shared::SPEC_SCENE_TEXTURES, scene.anyTextures ? 1 : 0)
-        .specialise(shared::SPEC_SCENE_COLOURS, scene.anyColours ? 1 : 0);
+        .specialise(shared::SPEC_SCENE_COLOURS, scene.anyColours ? 1 : 0)
+        .specialise(shared::SPEC_SCENE_EMISSION, scene.anyEmission ? 1 : 0);
+}
+
+void bindEmitters(graph::ComputeNode& node, const SceneHandles& scene) {
+    node.read(shared::SLOT_EMITTERS, scene.emitters)
+        .texels(shared::SLOT_EMITTER_TRIANGLES, scene.emitterTriangles, graph::Format::RGBA32Float);
 }
 
 }  // namespace lampyris::residency

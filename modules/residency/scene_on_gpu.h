@@ -53,6 +53,7 @@ class SceneOnGpu {
     [[nodiscard]] const std::vector<DrawItem>& draws() const;
     /// The emissive instances as the device has them, in the order of SceneHandles::emitters.
     [[nodiscard]] const std::vector<shared::GpuEmitter>& emitters() const;
+    [[nodiscard]] uint32_t lightCount() const;
     [[nodiscard]] const UploadCounts& lastUpload() const;
     [[nodiscard]] uint64_t deviceBytes() const;
     [[nodiscard]] gpu::Device& device() const;

@@ -1,6 +1,7 @@
 // Where a path begins: a sphere light, a spot's cone, or a glowing triangle.
 #ifndef LAMPYRIS_LIB_EMISSION
 #define LAMPYRIS_LIB_EMISSION
+#include "lib/emitter_table.glsl"
 #include "lib/rng.glsl"
 #include "lib/sampling.glsl"
 #include "lib/sphere_light.glsl"
@@ -8,8 +9,6 @@
 #include "shared/scene.h"
 
 layout(set = 0, binding = SLOT_LIGHTS, std430) readonly buffer EmissionLights { GpuLight emissionLights[]; };
-layout(set = 0, binding = SLOT_EMITTERS, std430) readonly buffer Emitters { GpuEmitter emitters[]; };
-layout(set = 0, binding = SLOT_EMITTER_TRIANGLES) uniform samplerBuffer emitterTriangles;
 
 struct PhotonRay {
     vec3 origin;
@@ -46,25 +45,13 @@ PhotonRay emitByDirection(PathRange range, GpuLight light, vec2 xi, inout uvec2 
 
 // A triangle in proportion to its power, a point of it, a direction by cosine. A double-sided one glows both ways.
 PhotonRay emitFromSurface(PathRange range, GpuEmitter emitter, vec2 xi, inout uvec2 random) {
-    int first = int(emitter.firstTriangle * EMITTER_TEXELS);
-    uint low = 0u, high = emitter.triangleCount - 1u;
-    while (low < high) {
-        uint middle = (low + high) / 2u;
-        if (texelFetch(emitterTriangles, first + int(middle * EMITTER_TEXELS) + 1).w > xi.x) high = middle;
-        else low = middle + 1u;
-    }
-    int at = first + int(low * EMITTER_TEXELS);
-    vec4 v0 = texelFetch(emitterTriangles, at);
-    vec4 e1 = texelFetch(emitterTriangles, at + 1);
-    vec4 e2 = texelFetch(emitterTriangles, at + 2);
-    vec3 radiance = texelFetch(emitterTriangles, at + 3).rgb;
-    vec2 r = random2(random);
-    float root = sqrt(r.x);
-    vec3 normal = normalize(cross(e1.xyz, e2.xyz));
+    uint triangle = triangleByShare(emitter.firstTriangle, emitter.triangleCount, 1u, xi.x);
+    vec3 origin = pointOfTriangle(triangle, random2(random));
+    vec3 normal = normalize(cross(emitterTexel(triangle, 1u).xyz, emitterTexel(triangle, 2u).xyz));
     vec2 side = random2(random);
     if ((emitter.flags & INSTANCE_DOUBLE_SIDED) != 0u && side.x < 0.5) normal = -normal;
-    vec3 origin = v0.xyz + (1.0 - root) * e1.xyz + root * r.y * e2.xyz;
     // Triangles are chosen by the mean of rgb; the colour is the triangle's own.
+    vec3 radiance = emitterTexel(triangle, 3u).rgb;
     float mean = dot(radiance, vec3(1.0 / 3.0));
     vec3 power = radiance * (range.powerPerPath.w / max(mean, 1e-30));
     return PhotonRay(origin + normal * (1e-5 * length(origin) + 1e-6), sampleCosine(normal, random2(random)), power);

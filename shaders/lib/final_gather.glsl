@@ -1,26 +1,31 @@
 // Irradiance at a point by a few rays into the irradiance grid: each is a last bounce.
-//   E = (1/n) Σ ρ(y) E(y) + π Le(y),   y where ray i, drawn by the cosine, ends                                   [F1]
+//   E = (1/n) Σ ρ(y) E(y),   y where ray i, drawn by the cosine, ends; and what comes from emitters [F5]          [F1]
 #ifndef LAMPYRIS_LIB_FINAL_GATHER
 #define LAMPYRIS_LIB_FINAL_GATHER
+#include "lib/gather_emission.glsl"
 #include "lib/grid_look_up.glsl"
 #include "lib/ray_origin.glsl"
 #include "lib/sampling.glsl"
 
 // firstSlot: of the grid, that the first ray looked up; slotMask + 1 if none.
-vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint firstSample, uvec2 seed, out uint firstSlot) {
+vec3 finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint emitterCount, uint firstSample, uvec2 seed,
+                 out uint firstSlot) {
     firstSlot = grid.slotMask + 1u;
     vec3 origin = clearOf(position, normal, viewDepth);
-    vec3 sum = vec3(0.0);
+    GatherMix mixed = GatherMix(rays, emitterCount > 0u ? rays : 0u, emitterCount);
+    vec3 reflected = vec3(0.0), emitted = vec3(0.0);
     for (uint i = 0u; i < rays; ++i) {
         vec3 direction = sampleCosine(normal, sobol2(firstSample + i, seed));
         Hit hit;
         if (!traceClosest(origin, direction, 0.0, 1e30, hit)) continue;
         Cell cell = cellOf(origin + hit.t * direction, storedNormal(hit.normalWorld), direction);
         uint slot;
-        sum += hitAlbedo(hit) * gridIrradiance(cell, slot) + kPi * hitEmission(hit, direction);
+        reflected += hitAlbedo(hit) * gridIrradiance(cell, slot);
+        if (sceneEmission != 0u) emitted += emissionMet(hit, direction, normal, mixed);
         if (i == 0u) firstSlot = slot;
     }
-    return sum / float(rays);
+    if (sceneEmission != 0u) emitted += emissionSampled(origin, normal, mixed, firstSample, seed);
+    return reflected / float(rays) + emitted;
 }
 
 #endif

@@ -6,6 +6,7 @@
 
 layout(constant_id = SPEC_SCENE_TEXTURES) const uint sceneTextures = 1u;
 layout(constant_id = SPEC_SCENE_COLOURS) const uint sceneColours = 1u;
+layout(constant_id = SPEC_SCENE_EMISSION) const uint sceneEmission = 1u;
 layout(set = 0, binding = SLOT_INSTANCES, std430) readonly buffer Instances { GpuInstance instances[]; };
 layout(set = 0, binding = SLOT_MATERIALS, std430) readonly buffer Materials { GpuMaterial materials[]; };
 layout(set = 0, binding = SLOT_INDICES) uniform usamplerBuffer meshIndices;

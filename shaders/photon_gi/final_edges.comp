@@ -39,7 +39,7 @@ void main() {
     if (sum.a < kLeastWeight) {
         uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed ^ 0x5bd1e995u);
         uint slot;
-        irradiance = finalGather(position, z, normal, kRaysAlone * params.rays, 0u, random, slot);
+        irradiance = finalGather(position, z, normal, kRaysAlone * params.rays, params.emitterCount, 0u, random, slot);
     }
     imageStore(irradianceIndirect, pixel, vec4(min(irradiance, vec3(65504.0)), 1.0));
 }

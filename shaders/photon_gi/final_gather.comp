@@ -22,8 +22,8 @@ void main() {
         vec3 position = positionWorld(pixel, depth);
         vec3 normal = normalAt(pixel);
         uint slot;
-        irradiance = finalGather(position, viewDepth(depth), normal, params.rays, zOrder(uvec2(texel)) * params.rays,
-                                 seedRandom(0u, params.seed), slot);
+        irradiance = finalGather(position, viewDepth(depth), normal, params.rays, params.emitterCount,
+                                 zOrder(uvec2(texel)) * params.rays, seedRandom(0u, params.seed), slot);
         if (slot <= grid.slotMask) atomicAdd(lookUps[slot], 1u);  // one ray speaks for all
         place = uvec4(floatBitsToUint(position), packDirection(normal));
     }

@@ -21,6 +21,7 @@ LAMPYRIS_SLOT(SLOT_EMITTER_TRIANGLES, 28u); // texels RGBA32Float: EMITTER_TEXEL
 // Specialization constants of lib/scene_material.glsl: 0 where the scene has none, so that looking costs nothing.
 LAMPYRIS_SLOT(SPEC_SCENE_TEXTURES, 24u);
 LAMPYRIS_SLOT(SPEC_SCENE_COLOURS, 25u);
+LAMPYRIS_SLOT(SPEC_SCENE_EMISSION, 26u);
 
 // Says that an instance has no such attribute, a material no such texture.
 LAMPYRIS_SLOT(SCENE_NONE, 0xffffffffu);
@@ -90,8 +91,8 @@ struct GpuEmitter {
     uint flags;          // INSTANCE_…
 };
 
-// A triangle of an emitter: (v0, primitive as bits) (e1, cumulative share of power, the last is 1) (e2, area m²)
-// (mean radiance rgb, 0)
+// A triangle of an emitter: (v0, primitive as bits) (e1, cumulative share of its emitter's power, the last is 1) (e2, area m²)
+// (mean radiance rgb, cumulative share of all emitters' power, the last is 1)
 LAMPYRIS_SLOT(EMITTER_TEXELS, 4u);
 
 LAMPYRIS_SHARED_END

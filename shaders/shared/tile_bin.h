@@ -68,7 +68,7 @@ struct GatherParams {
     uint rays;           // final gather: a texel
     uint seed;
     uint step;           // filter: texels between two taps
-    uint pad0;
+    uint emitterCount;   // final gather: emissive instances
 };
 
 struct HistoryParams {

@@ -22,19 +22,30 @@ struct Rendered {
     execute::FrameStatistics statistics;
 };
 
+struct OwnExecutor {
+    execute::Executor executor;
+};
+
 inline scene::SceneSnapshot builtinSnapshot(std::string_view name) {
     const ecs::World world = need(scene::builtinScene(name));
     return scene::extract(world, {}, 0);
 }
+
+/// A renderer that has taken in a scene.
+class SceneRenderer : private OwnExecutor, public photon_gi::Renderer {
+ public:
+    SceneRenderer(gpu::Device& device, const scene::SceneSnapshot& snapshot)
+        : OwnExecutor{need(execute::Executor::create(device))}, Renderer(executor) {
+        need(update(snapshot));
+    }
+};
 
 class FrameTest : public GpuTest {
  protected:
     /// Draws until no buffer is too small, as the program does.
     static Rendered render(const scene::SceneSnapshot& snapshot, photon_gi::FrameRequest request,
                            const std::string& outputNode) {
-        auto executor = need(execute::Executor::create(device()));
-        photon_gi::Renderer renderer(executor);
-        need(renderer.update(snapshot));
+        SceneRenderer renderer(device(), snapshot);
         return render(renderer, request, outputNode);
     }
 

@@ -84,6 +84,25 @@ class GltfBuilder {
         json["meshes"][0]["primitives"][0]["attributes"][name] = accessor;
     }
 
+    /// One light of KHR_lights_punctual, at so many nodes of scene 0.
+    void addLight(const Json& light, int nodes = 1) {
+        json["extensionsUsed"] = {"KHR_lights_punctual"};
+        json["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+        for (int i = 0; i < nodes; ++i)
+            json["scenes"][0]["nodes"].push_back(
+                push("nodes", {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}}));
+    }
+
+    /// A floor of two triangles.
+    static GltfBuilder floor(const std::vector<float>& positions = {-1, 0, -1, 1, 0, -1, 1, 0, 1,
+                                                                    -1, 0, 1}) {
+        GltfBuilder builder;
+        const int points = builder.addFloats(positions, "VEC3");
+        const int indices = builder.addAccessor<uint16_t>({0, 2, 1, 0, 3, 2}, "SCALAR", kUshort);
+        builder.addMesh({{"attributes", {{"POSITION", points}}}, {"indices", indices}});
+        return builder;
+    }
+
     /// One right-angled triangle in the plane z = 0, facing +z; no normals, no indices.
     static GltfBuilder triangle() {
         GltfBuilder builder;

@@ -49,16 +49,6 @@ class BadInput : public testing::Test {
     ScratchFolder folder_;
 };
 
-/// A floor of two triangles.
-GltfBuilder floorScene(const std::vector<float>& positions = {-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0,
-                                                              1}) {
-    GltfBuilder builder;
-    const int points = builder.addFloats(positions, "VEC3");
-    const int indices = builder.addAccessor<uint16_t>({0, 2, 1, 0, 3, 2}, "SCALAR", kUshort);
-    builder.addMesh({{"attributes", {{"POSITION", points}}}, {"indices", indices}});
-    return builder;
-}
-
 TEST_F(BadInput, MissingAndForeignFiles) {
     expectRefused((folder_ / "missing.glb").string(), "No such file");
     std::filesystem::create_directory(folder_ / "folder.gltf");
@@ -71,13 +61,13 @@ TEST_F(BadInput, MissingAndForeignFiles) {
 }
 
 TEST_F(BadInput, FilesCutAtAnyPlace) {
-    const std::vector<uint8_t> whole = floorScene().glb();
+    const std::vector<uint8_t> whole = GltfBuilder::floor().glb();
     for (const size_t length :
          {size_t{3}, size_t{12}, size_t{19}, size_t{40}, whole.size() / 2, whole.size() - 4})
         expectRefused(
             write("cut.glb", {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}),
             "");
-    const std::vector<uint8_t> text = floorScene().gltf();
+    const std::vector<uint8_t> text = GltfBuilder::floor().gltf();
     for (const size_t length : {size_t{1}, text.size() / 2, text.size() - 1})
         expectRefused(
             write("cut.gltf", {text.begin(), text.begin() + static_cast<std::ptrdiff_t>(length)}),
@@ -86,7 +76,7 @@ TEST_F(BadInput, FilesCutAtAnyPlace) {
 
 TEST_F(BadInput, RangesOutsideTheirData) {
     const auto bent = [&](const std::string& name, const std::string& what, const auto& bend) {
-        GltfBuilder builder = floorScene();
+        GltfBuilder builder = GltfBuilder::floor();
         bend(builder);
         expectRefused(write(name + ".gltf", builder), what);
     };
@@ -120,31 +110,28 @@ TEST_F(BadInput, NothingThatCouldBeDrawn) {
     GltfBuilder empty;
     expectRefused(write("empty.gltf", empty), "mesh");
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    expectRefused(write("nan.gltf", floorScene(std::vector<float>(12, nan))), "NaN");
-    expectRefused(write("point.gltf", floorScene(std::vector<float>(12, 1.0f))), "without area");
+    expectRefused(write("nan.gltf", GltfBuilder::floor(std::vector<float>(12, nan))), "NaN");
+    expectRefused(write("point.gltf", GltfBuilder::floor(std::vector<float>(12, 1.0f))),
+                  "without area");
 }
 
 TEST_F(BadInput, WhatIsLeftIsDrawn) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float inf = std::numeric_limits<float>::infinity();
-    expectDrawn(write("nan.gltf", floorScene({-1, 0, -1, 1, 0, -1, 1, 0, 1, nan, 0, 1})),
+    expectDrawn(write("nan.gltf", GltfBuilder::floor({-1, 0, -1, 1, 0, -1, 1, 0, 1, nan, 0, 1})),
                 "NaN or infinity");
-    expectDrawn(write("inf.gltf", floorScene({-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, inf})),
+    expectDrawn(write("inf.gltf", GltfBuilder::floor({-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, inf})),
                 "NaN or infinity");
-    expectDrawn(write("thin.gltf", floorScene({-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, -1})),
+    expectDrawn(write("thin.gltf", GltfBuilder::floor({-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, -1})),
                 "triangle");
-    expectDrawn(write("plain.gltf", floorScene()), "camera");
-    GltfBuilder flattened = floorScene();
+    expectDrawn(write("plain.gltf", GltfBuilder::floor()), "camera");
+    GltfBuilder flattened = GltfBuilder::floor();
     const int gone = flattened.push("nodes", {{"mesh", 0}, {"scale", {0, 0, 0}}});
     flattened.json["scenes"][0]["nodes"].push_back(gone);
     expectDrawn(write("flattened.gltf", flattened), "1 meshes have no extent");
-    expectDrawn(write("dark.gltf", floorScene()), "light");
-    GltfBuilder sun = floorScene();
-    sun.json["extensionsUsed"] = {"KHR_lights_punctual"};
-    sun.json["extensions"]["KHR_lights_punctual"]["lights"] = {
-        {{"type", "directional"}, {"intensity", 3.0}}};
-    const int node = sun.push("nodes", {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
-    sun.json["scenes"][0]["nodes"].push_back(node);
+    expectDrawn(write("dark.gltf", GltfBuilder::floor()), "light");
+    GltfBuilder sun = GltfBuilder::floor();
+    sun.addLight({{"type", "directional"}, {"intensity", 3.0}});
     expectDrawn(write("sun.gltf", sun), "directional");
 }
 
@@ -176,6 +163,13 @@ TEST_F(BadInput, MoreThanTheDeviceHolds) {
     expectFailure(render("cornell", picture, {"--photons", "4294967295"}), "--photons");
     expectFailure(render("cornell", picture, {"--size", "65535x65535"}), "65535");
     EXPECT_EQ(folder_.files(), 0u);
+    // 31 shadow rays take five layers for 32 lights: 9375, and devices have 2048 or 8192.
+    GltfBuilder lights = GltfBuilder::floor();
+    lights.addLight({{"type", "point"}, {"intensity", 1.0}}, 60000);
+    const Ran ran = render(write("lights.gltf", lights), picture, {"--shadow-rays", "31"});
+    expectFailure(ran, "60000 lights");
+    expectFailure(ran, "maxImageArrayLayers");
+    EXPECT_EQ(folder_.files(), 1u);
 }
 
 TEST_F(BadInput, ValidationLayerThatIsMissing) {

@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <limits>
 #include <thread>
 
 #include "cli/program/program.h"
+#include "core/image_io.h"
 
 namespace lampyris::test {
 namespace {
@@ -126,7 +128,36 @@ TEST(Bench, TakesAReferenceFromAFile) {
                                  {"--reference", file, "--size", "80x45"})),
                   "truth.exr: is 64x36, the frames are 80x45");
     std::filesystem::resize_file(file, 100);
-    expectFailure(lampyris(bench("system-comparison", folder / "out", given)), "truth.exr");
+    expectFailure(lampyris(bench("system-comparison", folder / "out", given)), "truth.exr: EXR: ");
+    core::Image bad(64, 36, 3);
+    bad.values[5] = std::numeric_limits<float>::quiet_NaN();
+    ASSERT_TRUE(core::writeExr(file, bad).ok());
+    expectFailure(lampyris(bench("system-comparison", folder / "out", given)),
+                  "truth.exr: NaN in blue of the pixel at (1, 0)");
+    std::filesystem::remove(file);
+    expectFailure(lampyris(bench("system-comparison", folder / "out", given)),
+                  "truth.exr: No such file");
+    std::filesystem::create_directory(file);
+    expectFailure(lampyris(bench("system-comparison", folder / "out", given)),
+                  "truth.exr: is a folder");
+}
+
+TEST(Bench, KeepsItsRowsWhereATableCannotBeWritten) {
+    const ScratchFolder folder;
+    const std::filesystem::path rows = folder / "out/scene-complexity.rows.jsonl";
+    const std::filesystem::path table = folder / "out/scene-complexity-cornell.csv";
+    std::filesystem::create_directories(table);
+    const Arguments arguments = bench("scene-complexity", folder / "out", {"--scene", "cornell"});
+    const Ran refused = lampyris(arguments);
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_EQ(refused.errorLines(), 1u) << refused.err;
+    EXPECT_NE(refused.err.find("scene-complexity-cornell.csv"), std::string::npos) << refused.err;
+    const std::string before = textOf(rows);
+    EXPECT_EQ(linesOf(rows), 9u);
+    std::filesystem::remove(table);
+    EXPECT_EQ(lampyris(arguments).code, 0);
+    EXPECT_EQ(textOf(rows), before) << "nothing is measured twice";
+    EXPECT_EQ(linesOf(table), 10u);
 }
 
 TEST(Bench, AStoppedRunIsTakenUpAgain) {

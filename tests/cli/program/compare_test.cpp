@@ -100,6 +100,10 @@ TEST_F(Compare, NamesWhatCannotBeCompared) {
     const Ran sizes = lampyris({"compare", a, write("wide.png", 0.0f, 0.5f, 40)});
     expectFailure(sizes, "a.png is 32x16");
     expectFailure(sizes, "wide.png is 40x16");
+    const Ran lights =
+        lampyris({"compare", write("a.exr", 0.0f, 0.5f), write("wide.exr", 0.0f, 0.5f, 40)});
+    expectFailure(lights, "a.exr is 32x16");
+    expectFailure(lights, "wide.exr is 40x16");
     const std::string narrow = write("narrow.png", 0.0f, 0.5f, 10);
     expectFailure(lampyris({"compare", narrow, narrow}), "11x11");
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -113,6 +117,8 @@ TEST_F(Compare, NamesWhatCannotBeCompared) {
     expectFailure(lampyris({"compare", a, folder_ / "notes.txt"}), "notes.txt");
     std::filesystem::create_directory(folder_ / "folder.png");
     expectFailure(lampyris({"compare", a, folder_ / "folder.png"}), "folder");
+    std::filesystem::create_directory(folder_ / "folder.exr");
+    expectFailure(lampyris({"compare", folder_ / "folder.exr", good}), "folder.exr: is a folder");
 }
 
 TEST_F(Compare, NamesFilesThatAreCutOrAnotherKind) {

@@ -4,22 +4,11 @@
 #include "cli/program/program.h"
 #include "core/file.h"
 #include "core/image_io.h"
+#include "reference/reference.h"
 #include "support/gltf_builder.h"
 
 namespace lampyris::test {
 namespace {
-
-using Images = std::vector<std::string>;
-const Images kNames{"final",
-                    "direct",
-                    "indirect",
-                    "irradiance_direct",
-                    "irradiance_indirect",
-                    "albedo",
-                    "normal",
-                    "position",
-                    "depth",
-                    "error"};
 
 class Reference : public testing::Test {
  protected:
@@ -67,7 +56,8 @@ TEST_F(Reference, WritesThePictureAndSaysNothing) {
 
 TEST_F(Reference, WritesEveryImageAloneOrAllAtOnce) {
     ASSERT_EQ(reference("cornell", "a.exr", {"--all", folder_ / "all"}).code, 0);
-    for (const std::string& name : kNames) {
+    for (const std::string_view shown : reference::kImageNames) {
+        const std::string name(shown);
         SCOPED_TRACE(name);
         const Ran ran = reference("cornell", name + ".exr", {"--output-node", name});
         EXPECT_EQ(ran.code, 0) << ran.err;
@@ -115,16 +105,8 @@ TEST_F(Reference, ReportsWhatItDid) {
 }
 
 TEST_F(Reference, LightsWithoutPowerGiveBlackAndAWord) {
-    GltfBuilder builder;
-    const int points = builder.addFloats({-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1}, "VEC3");
-    const int indices = builder.addAccessor<uint16_t>({0, 2, 1, 0, 3, 2}, "SCALAR", kUshort);
-    builder.addMesh({{"attributes", {{"POSITION", points}}}, {"indices", indices}});
-    builder.json["extensionsUsed"] = {"KHR_lights_punctual"};
-    builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {
-        {{"type", "point"}, {"intensity", 0.0}}};
-    const int node =
-        builder.push("nodes", {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
-    builder.json["scenes"][0]["nodes"].push_back(node);
+    GltfBuilder builder = GltfBuilder::floor();
+    builder.addLight({{"type", "point"}, {"intensity", 0.0}});
     const std::vector<uint8_t> bytes = builder.gltf();
     const std::string file = folder_ / "dark.gltf";
     ASSERT_TRUE(core::writeFile(file, std::span<const uint8_t>(bytes)).ok());

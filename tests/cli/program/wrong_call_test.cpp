@@ -16,6 +16,8 @@ TEST(WrongCall, NamesWhatIsWrong) {
     expectWrongCall(lampyris({"bench", "binning", "--photons", "50"}), "--photons");
     expectWrongCall(lampyris({"bench", "nodes", "--pipeline", "direct"}), "--pipeline");
     expectWrongCall(lampyris({"bench", "nodes", "--spp", "4"}), "--spp");
+    expectWrongCall(lampyris({"bench", "binning", "--gather-rays", "4"}), "--gather-rays");
+    expectWrongCall(lampyris({"bench", "rays", "--shadow-rays", "4"}), "--shadow-rays");
     expectWrongCall(lampyris({"bench", "parameter-scaling", "--radius", "1"}), "--radius");
     expectWrongCall(lampyris({"bench", "scene-complexity", "--reference", "a.exr"}), "--reference");
 }
@@ -52,7 +54,19 @@ TEST(WrongCall, LeavesNoFile) {
         {{"--shadow-divisor", "0"}, "--shadow-divisor"},
         {{"--filter-levels", "9"}, "--filter-levels"},
         {{"--history", "4", "--gather", "tiles"}, "--history"},
+        {{"--history", "4", "--pipeline", "thesis"}, "--history"},
         {{"--history", "-1"}, "--history"},
+        {{"--gather-rays", "3", "--gather", "tiles"}, "--gather-rays"},
+        {{"--gather-rays", "3", "--pipeline", "thesis"}, "--gather-rays"},
+        {{"--filter-levels", "2", "--gather", "tiles"}, "--filter-levels"},
+        {{"--filter-levels", "2", "--pipeline", "direct"}, "--filter-levels"},
+        {{"--shadow-divisor", "4", "--pipeline", "thesis"}, "--shadow-divisor"},
+        {{"--shadow-rays", "8", "--pipeline", "thesis"}, "--shadow-rays"},
+        {{"--photons", "9", "--pipeline", "direct"}, "--photons"},
+        {{"--radius", "1", "--pipeline", "direct"}, "--radius"},
+        {{"--max-bounces", "1", "--pipeline", "direct"}, "--max-bounces"},
+        {{"--gather", "tiles", "--pipeline", "direct"}, "--gather"},
+        {{"--gather-divisor", "2", "--pipeline", "direct"}, "--gather-divisor"},
         {{"--reseed", "maybe"}, "maybe"},
         {{"--retrace", "none"}, "none"},
         {{"--tonemap", "aces"}, "aces"},
@@ -90,6 +104,18 @@ TEST(WrongCall, HelpIsNone) {
     const Ran ran = lampyris({"--help"});
     EXPECT_EQ(ran.code, 0);
     EXPECT_NE(ran.out.find("render"), std::string::npos);
+}
+
+// What a preset chooses, and what is asked to be off, is no wrong call.
+TEST(WrongCall, PresetsSuitEveryPipeline) {
+    const ScratchFolder folder;
+    const std::vector<Arguments> calls{
+        {"--pipeline", "thesis", "--quality", "fine", "--history", "0", "--filter-levels", "0"},
+        {"--pipeline", "direct", "--quality", "fine", "--max-bounces", "0", "--shadow-rays", "2"},
+        {"--gather", "tiles", "--quality", "fine", "--photons", "100", "--shadow-divisor", "2"}};
+    for (const Arguments& more : calls)
+        EXPECT_EQ(render("cornell", folder / "a.png", more).code, 0)
+            << testing::PrintToString(more);
 }
 
 TEST(WrongCall, ThesisTakesItsOneBounceOrNone) {

@@ -12,6 +12,7 @@
 #include "glm/gtc/packing.hpp"
 #include "shared/tile_bin.h"
 #include "support/frame_test.h"
+#include "support/scene_frame.h"
 
 namespace lampyris {
 namespace {
@@ -48,37 +49,25 @@ class Gather : public test::FrameTest {
  protected:
     static void compare(uint32_t paths, float radius) {
         const scene::SceneSnapshot snapshot = test::builtinSnapshot("cornell");
-        auto executor = test::need(execute::Executor::create(device()));
-        residency::SceneOnGpu scene(device());
-        test::need(scene.update(snapshot));
-        accel::AccelOnGpu accel(scene);
-        test::need(accel.update(snapshot));
-        graph::Frame frame;
-        const auto handles = residency::importScene(frame, scene);
-        const auto tree = accel::importAccel(frame, accel);
+        test::SceneFrame on(device(), snapshot);
         const auto view = deferred::makeView(
             test::lookFrom({0.0f, 9.8f, 4.5f}, {0.0f, 0.0f, 0.5f}, 60.0f), {64, 36});
-        const auto surface = deferred::addGBuffer(frame, view, handles, scene.draws());
-        deferred::publishSurface(frame, surface);
-        const auto bounds = deferred::addTileBounds(frame, surface);
-        auto clear = frame.transfer("clear");
-        const auto zeroed =
-            clear.fill(frame.buffer("counters", {sizeof(shared::FrameCounters)}), 0);
+        const auto surface = deferred::addGBuffer(on.frame, view, on.handles, on.scene.draws());
+        deferred::publishSurface(on.frame, surface);
+        const auto bounds = deferred::addTileBounds(on.frame, surface);
         const photon_gi::GatherSettings settings{radius, 1};
-        auto edges = photon_gi::addEdges(frame, surface, zeroed, settings);
+        auto edges = photon_gi::addEdges(on.frame, surface, on.counters, settings);
         const auto split = photons::splitPaths(photons::listEmitters(snapshot.lights, {}), paths);
-        const auto list = photons::addPhotonTrace(frame, handles, tree, split, {0, split.paths},
-                                                  {8, true, 7, 4 * paths}, edges.counters);
-        const auto bins = photon_gi::addTileBin(frame, list, bounds, view, {radius, 1u << 23});
+        const auto list =
+            photons::addPhotonTrace(on.frame, on.handles, on.tree, split, {0, split.paths},
+                                    {8, true, 7, 4 * paths}, edges.counters);
+        const auto bins = photon_gi::addTileBin(on.frame, list, bounds, view, {radius, 1u << 23});
         edges.counters = bins.counters;
-        const auto gathered = photon_gi::addGather(frame, surface, list, bins, edges, settings, {});
-        execute::RunOptions run;
-        run.readBackImages = {gathered.coarse, frame.published("position"),
-                              frame.published("normal")};
-        run.readBackBuffers = {list.photons, list.pathOffsets, bins.counters};
-        for (const auto image : run.readBackImages) frame.output(image);
-        for (const auto buffer : run.readBackBuffers) frame.output(buffer);
-        const auto result = test::need(executor.run(frame, run));
+        const auto gathered =
+            photon_gi::addGather(on.frame, surface, list, bins, edges, settings, {});
+        const auto result =
+            on.run({list.photons, list.pathOffsets, bins.counters},
+                   {gathered.coarse, on.frame.published("position"), on.frame.published("normal")});
         const core::Image e = execute::toImage(result.images[0]);
         const core::Image x = execute::toImage(result.images[1]);
         const core::Image n = execute::toImage(result.images[2]);

@@ -10,6 +10,7 @@
 #include "photon_gi/tile_test.h"
 #include "shared/tile_bin.h"
 #include "support/frame_test.h"
+#include "support/scene_frame.h"
 
 namespace lampyris {
 namespace {
@@ -38,35 +39,22 @@ class TileBin : public test::FrameTest {
  protected:
     static Lists bin(const Trial& trial) {
         const scene::SceneSnapshot snapshot = test::builtinSnapshot("cornell");
-        auto executor = test::need(execute::Executor::create(device()));
-        residency::SceneOnGpu scene(device());
-        test::need(scene.update(snapshot));
-        accel::AccelOnGpu accel(scene);
-        test::need(accel.update(snapshot));
-
-        graph::Frame frame;
-        const auto handles = residency::importScene(frame, scene);
-        const auto tree = accel::importAccel(frame, accel);
+        test::SceneFrame on(device(), snapshot);
         const auto view =
             deferred::makeView(test::lookFrom(trial.eye, {0.13f, 5.07f, 0.0f}, 50.0f), trial.size);
-        const auto surface = deferred::addGBuffer(frame, view, handles, scene.draws());
-        const auto bounds = deferred::addTileBounds(frame, surface);
-        auto clear = frame.transfer("clear");
-        const auto counters =
-            clear.fill(frame.buffer("counters", {sizeof(shared::FrameCounters)}), 0);
+        const auto surface = deferred::addGBuffer(on.frame, view, on.handles, on.scene.draws());
+        const auto bounds = deferred::addTileBounds(on.frame, surface);
         const auto split =
             photons::splitPaths(photons::listEmitters(snapshot.lights, {}), trial.paths);
         const auto list =
-            photons::addPhotonTrace(frame, handles, tree, split, {0, split.paths},
-                                    {trial.bounces, true, 7, trial.photonCapacity}, counters);
+            photons::addPhotonTrace(on.frame, on.handles, on.tree, split, {0, split.paths},
+                                    {trial.bounces, true, 7, trial.photonCapacity}, on.counters);
         const photon_gi::TileSettings settings{trial.radius, trial.pairCapacity};
-        const auto bins = trial.thesis ? photon_gi::addTileTest(frame, list, bounds, view, settings)
-                                       : photon_gi::addTileBin(frame, list, bounds, view, settings);
-        execute::RunOptions run;
-        run.readBackBuffers = {bins.ranges,   bins.indices,     list.photons,
-                               bounds.bounds, list.pathOffsets, bins.counters};
-        for (const auto buffer : run.readBackBuffers) frame.output(buffer);
-        const auto result = test::need(executor.run(frame, run));
+        const auto bins = trial.thesis
+                              ? photon_gi::addTileTest(on.frame, list, bounds, view, settings)
+                              : photon_gi::addTileBin(on.frame, list, bounds, view, settings);
+        const auto result = on.run({bins.ranges, bins.indices, list.photons, bounds.bounds,
+                                    list.pathOffsets, bins.counters});
         Lists lists;
         lists.ranges = test::valuesOf<glm::uvec2>(result.buffers[0]);
         lists.indices = test::valuesOf<uint32_t>(result.buffers[1]);

@@ -8,6 +8,7 @@
 
 #include "glm/gtc/packing.hpp"
 #include "support/frame_test.h"
+#include "support/scene_frame.h"
 #include "support/small_scenes.h"
 
 namespace lampyris::photons {
@@ -44,29 +45,16 @@ struct Filled {
 class IrradianceGridTest : public test::FrameTest {
  protected:
     static Filled fill(const scene::SceneSnapshot& snapshot, uint32_t paths, uint32_t slots) {
-        auto executor = test::need(execute::Executor::create(device()));
-        residency::SceneOnGpu scene(device());
-        test::need(scene.update(snapshot));
-        accel::AccelOnGpu accel(scene);
-        test::need(accel.update(snapshot));
-        const auto split = splitPaths(listEmitters(snapshot.lights, scene.emitters()), paths);
-        graph::Frame frame;
-        const auto handles = residency::importScene(frame, scene);
-        const auto tree = accel::importAccel(frame, accel);
-        auto clear = frame.transfer("clear");
-        const auto counters =
-            clear.fill(frame.buffer("counters", {sizeof(shared::FrameCounters)}), 0);
+        test::SceneFrame on(device(), snapshot);
+        const auto split = splitPaths(listEmitters(snapshot.lights, on.scene.emitters()), paths);
         const TraceSettings settings{4, true, 1, paths * 4, true};
-        const auto list =
-            addPhotonTrace(frame, handles, tree, split, {0, split.paths}, settings, counters);
-        auto cells = beginGrid(frame, {kCell, slots, 64, 1}, split.powerScale, list.counters);
-        cells = addToGrid(frame, cells, list, handles, tree);
-        const auto grid = finishGrid(frame, cells, handles, tree);
-        execute::RunOptions options;
-        options.readBackBuffers = {list.photons, grid.table, cells.cells, cells.counters,
-                                   grid.lookUp};
-        for (const auto buffer : options.readBackBuffers) frame.output(buffer);
-        const auto result = test::need(executor.run(frame, options));
+        const auto list = addPhotonTrace(on.frame, on.handles, on.tree, split, {0, split.paths},
+                                         settings, on.counters);
+        auto cells = beginGrid(on.frame, {kCell, slots, 64, 1}, split.powerScale, list.counters);
+        cells = addToGrid(on.frame, cells, list, on.handles, on.tree);
+        const auto grid = finishGrid(on.frame, cells, on.handles, on.tree);
+        const auto result =
+            on.run({list.photons, grid.table, cells.cells, cells.counters, grid.lookUp});
         Filled filled;
         filled.photons = test::valuesOf<shared::PackedPhoton>(result.buffers[0]);
         filled.table = test::valuesOf<uint32_t>(result.buffers[1]);

@@ -7,6 +7,7 @@
 
 #include "glm/gtc/packing.hpp"
 #include "support/frame_test.h"
+#include "support/scene_frame.h"
 
 namespace lampyris::photons {
 namespace {
@@ -21,25 +22,12 @@ class PhotonTrace : public test::FrameTest {
  protected:
     static Traced trace(const scene::SceneSnapshot& snapshot, uint32_t paths,
                         const TraceSettings& settings) {
-        auto executor = test::need(execute::Executor::create(device()));
-        residency::SceneOnGpu scene(device());
-        test::need(scene.update(snapshot));
-        accel::AccelOnGpu accel(scene);
-        test::need(accel.update(snapshot));
+        test::SceneFrame on(device(), snapshot);
         Traced traced;
-        traced.split = splitPaths(listEmitters(snapshot.lights, scene.emitters()), paths);
-        graph::Frame frame;
-        const auto handles = residency::importScene(frame, scene);
-        const auto tree = accel::importAccel(frame, accel);
-        auto clear = frame.transfer("clear");
-        const auto counters =
-            clear.fill(frame.buffer("counters", {sizeof(shared::FrameCounters)}), 0);
-        const auto list = addPhotonTrace(frame, handles, tree, traced.split,
-                                         {0, traced.split.paths}, settings, counters);
-        execute::RunOptions options;
-        options.readBackBuffers = {list.photons, list.pathOffsets};
-        for (const auto buffer : options.readBackBuffers) frame.output(buffer);
-        const auto result = test::need(executor.run(frame, options));
+        traced.split = splitPaths(listEmitters(snapshot.lights, on.scene.emitters()), paths);
+        const auto list = addPhotonTrace(on.frame, on.handles, on.tree, traced.split,
+                                         {0, traced.split.paths}, settings, on.counters);
+        const auto result = on.run({list.photons, list.pathOffsets});
         traced.photons = test::valuesOf<shared::PackedPhoton>(result.buffers[0]);
         traced.offsets = test::valuesOf<uint32_t>(result.buffers[1]);
         return traced;

@@ -20,9 +20,7 @@ class Convergence : public test::FrameTest {
         wanted.settings.radiusMetres = radius;
         wanted.settings.gather = photon_gi::Gather::Tiles;
         wanted.settings.gatherDivisor = 1;
-        auto executor = test::need(execute::Executor::create(device()));
-        photon_gi::Renderer renderer(executor);
-        test::need(renderer.update(snapshot));
+        test::SceneRenderer renderer(device(), snapshot);
         const auto e = render(renderer, wanted, "irradiance_indirect");
         wanted.settings.pipeline = photon_gi::Pipeline::Direct;
         const auto x = render(renderer, wanted, "position");

@@ -73,9 +73,7 @@ TEST_F(FinalGather, LightDoesNotLeakThroughAWallOfFiveCentimetres) {
 
 TEST_F(FinalGather, AMeanOverFramesHasLessNoiseAndKeepsTheLight) {
     const auto snapshot = test::builtinSnapshot("cornell");
-    auto executor = test::need(execute::Executor::create(device()));
-    photon_gi::Renderer renderer(executor);
-    test::need(renderer.update(snapshot));
+    test::SceneRenderer renderer(device(), snapshot);
     auto wanted = request(160, 90, snapshot.cameras.front());
     wanted.settings.history = 16;
     const auto draw = [&](uint64_t frame) {
@@ -100,9 +98,7 @@ TEST_F(FinalGather, ARemovedLightLeavesNoneBehind) {
     auto snapshot = test::builtinSnapshot("cornell");
     test::addLight(snapshot, {0.0f, 0.3f, 3.5f}, 0.1f, 300.0f);
     snapshot.lightVersion = 100;
-    auto executor = test::need(execute::Executor::create(device()));
-    photon_gi::Renderer renderer(executor);
-    test::need(renderer.update(snapshot));
+    test::SceneRenderer renderer(device(), snapshot);
     auto wanted = request(160, 90, snapshot.cameras.front());
     wanted.settings.history = 32;
     const auto draw = [&] {
@@ -123,9 +119,7 @@ TEST_F(FinalGather, AFrameThatOverflowedLeavesNothingInTheMean) {
     wanted.settings.photonPaths = 30000;
     wanted.settings.radiusMetres = 0.2f;  // more cells than the first guess has room for
     const auto drawIn = [&](uint32_t slots) {
-        auto executor = test::need(execute::Executor::create(device()));
-        photon_gi::Renderer renderer(executor);
-        test::need(renderer.update(snapshot));
+        test::SceneRenderer renderer(device(), snapshot);
         renderer.capacities().gridSlots = slots;
         return render(renderer, wanted, "indirect");
     };
@@ -134,11 +128,29 @@ TEST_F(FinalGather, AFrameThatOverflowedLeavesNothingInTheMean) {
     EXPECT_EQ(drawIn(1u << 14).image.values, roomy.image.values);
 }
 
+TEST_F(FinalGather, AGridThatCannotGrowIsOneError) {
+    const auto snapshot = test::builtinSnapshot("cornell");
+    auto wanted = request(96, 54, snapshot.cameras.front());
+    wanted.settings.photonPaths = 30000;
+    wanted.settings.radiusMetres = 0.2f;
+    test::SceneRenderer renderer(device(), snapshot);
+    renderer.capacities().gridSlots = renderer.capacities().mostGridSlots = 1u << 14;
+    const auto draw = [&] {
+        graph::Frame frame;
+        const auto drawn = renderer.declare(frame, wanted);
+        return renderer.run(frame, drawn, "indirect");
+    };
+    auto outcome = draw();
+    while (outcome.ok() && !outcome.value().report.valid) outcome = draw();  // photons grow first
+    ASSERT_FALSE(outcome.ok());
+    EXPECT_NE(outcome.error().message.find("--radius"), std::string::npos);
+    wanted.settings.radiusMetres = 2.0f;
+    EXPECT_TRUE(draw().ok());
+}
+
 TEST_F(FinalGather, TheMeanBeginsAnewWhenSettingsChange) {
     const auto snapshot = test::builtinSnapshot("cornell");
-    auto executor = test::need(execute::Executor::create(device()));
-    photon_gi::Renderer renderer(executor);
-    test::need(renderer.update(snapshot));
+    test::SceneRenderer renderer(device(), snapshot);
     auto wanted = request(96, 54, snapshot.cameras.front());
     wanted.settings.history = 32;
     wanted.settings.guiding = false;
@@ -150,9 +162,7 @@ TEST_F(FinalGather, TheMeanBeginsAnewWhenSettingsChange) {
 
 TEST_F(FinalGather, ACameraThatMovesFindsItsPastAgain) {
     const auto snapshot = test::builtinSnapshot("cornell");
-    auto executor = test::need(execute::Executor::create(device()));
-    photon_gi::Renderer renderer(executor);
-    test::need(renderer.update(snapshot));
+    test::SceneRenderer renderer(device(), snapshot);
     const auto ask = [&](int step, uint32_t history) {
         const float x = 0.05f * static_cast<float>(step);
         auto wanted = request(320, 180, test::lookFrom({x, 5.0f, 12.0f}, {x, 5.0f, 0.0f}));

@@ -25,9 +25,7 @@ class GuidedPhotons : public test::FrameTest {
         wanted.settings.guiding = guiding;
         wanted.settings.gatherRays = 32;  // photons are what is noisy
         wanted.settings.photonPaths = 1000;
-        auto executor = test::need(execute::Executor::create(device()));
-        photon_gi::Renderer renderer(executor);
-        test::need(renderer.update(snapshot));
+        test::SceneRenderer renderer(device(), snapshot);
         std::vector<double> sums, squares, means;
         for (; wanted.frameNumber < kFirst + kFrames; ++wanted.frameNumber) {
             const auto drawn = render(renderer, wanted, "irradiance_indirect");

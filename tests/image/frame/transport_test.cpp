@@ -28,9 +28,7 @@ class EveryScene : public Transport, public ::testing::WithParamInterface<const 
 
 TEST_P(EveryScene, EnergyLedgerClosesInEveryFrame) {
     const auto snapshot = test::builtinSnapshot(GetParam());
-    auto executor = test::need(execute::Executor::create(device()));
-    photon_gi::Renderer renderer(executor);
-    test::need(renderer.update(snapshot));
+    test::SceneRenderer renderer(device(), snapshot);
     glm::dvec3 power(0.0);
     for (const auto& light : snapshot.lights) power += glm::dvec3(light.powerWatts);
     auto wanted = ask(snapshot, 32, 18);
@@ -56,9 +54,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, EveryScene,
 
 TEST_F(Transport, RouletteIsZeroWithinFourOfItsOwnDeviations) {
     const auto snapshot = test::builtinSnapshot("two_rooms");
-    auto executor = test::need(execute::Executor::create(device()));
-    photon_gi::Renderer renderer(executor);
-    test::need(renderer.update(snapshot));
+    test::SceneRenderer renderer(device(), snapshot);
     auto wanted = ask(snapshot, 16, 9);
     wanted.settings.photonPaths = 2000;
     constexpr int kFrames = 24;
@@ -123,9 +119,7 @@ TEST_F(Transport, AnyLegalOrderAndPoisonedTransientsChangeNothing) {
     const auto snapshot = test::builtinSnapshot("cornell");
     // The second frame, which hangs on what the first one taught.
     const auto second = [&](const graph::CompileOptions& options) {
-        auto executor = test::need(execute::Executor::create(device()));
-        photon_gi::Renderer renderer(executor);
-        test::need(renderer.update(snapshot));
+        test::SceneRenderer renderer(device(), snapshot);
         auto wanted = ask(snapshot, 96, 54);
         render(renderer, wanted, "final", options);
         wanted.frameNumber = 1;
@@ -161,9 +155,7 @@ TEST_F(Transport, BatchesOfPhotonsAddUpToTheSamePicture) {
 
 TEST_F(Transport, AnOverflowIsReportedAndTheNextFrameHasRoom) {
     const auto snapshot = test::builtinSnapshot("cornell");
-    auto executor = test::need(execute::Executor::create(device()));
-    photon_gi::Renderer renderer(executor);
-    test::need(renderer.update(snapshot));
+    test::SceneRenderer renderer(device(), snapshot);
     auto wanted = ask(snapshot, 640, 360);
     wanted.settings.gather = photon_gi::Gather::Tiles;
     wanted.settings.photonPaths = 100;

@@ -8,11 +8,6 @@
 namespace lampyris::reference {
 namespace {
 
-using test::addInstance;
-using test::addLight;
-using test::lambertian;
-using test::lookFrom;
-
 const scene::SnapshotCamera kFromAbove =
     lookFrom({0.0f, 6.0f, 0.001f}, {0.0f, 0.0f, 0.0f}, 80.0f, {0.0f, 0.0f, -1.0f});
 

@@ -1,25 +1,12 @@
 #include "reference/emitters.h"
 
 #include "reference/surface.h"
-#include "support/small_scenes.h"
 #include "support/snapshot_builder.h"
 #include "unit/reference/chi_squared.h"
+#include "unit/reference/scenes.h"
 
 namespace lampyris::reference {
 namespace {
-
-assets::Material glowing(const glm::vec3& radiance, bool doubleSided = false) {
-    assets::Material material = test::lambertian(glm::vec3(0.5f));
-    material.emissiveRadiance = radiance;
-    material.doubleSided = doubleSided;
-    return material;
-}
-
-RayScene built(const scene::SceneSnapshot& snapshot) {
-    auto scene = RayScene::build(snapshot);
-    EXPECT_TRUE(scene.ok());
-    return std::move(scene).value();
-}
 
 /// Squares of 1 and 4 m², the second brighter and mirrored, and one that does not glow.
 RayScene threeSquares() {
@@ -30,8 +17,9 @@ RayScene threeSquares() {
                         glm::translate(glm::mat4(1.0f), {0, 0, 3}));
     glm::mat4 mirrored = glm::translate(glm::mat4(1.0f), {5, 0, 0});
     mirrored = glm::scale(mirrored, {-2, 2, 1});
-    builder.addInstance(square, builder.addMaterial(glowing(glm::vec3(9.0f, 0.0f, 0.0f), true)),
-                        mirrored);
+    assets::Material twoSided = glowing(glm::vec3(9.0f, 0.0f, 0.0f));
+    twoSided.doubleSided = true;
+    builder.addInstance(square, builder.addMaterial(twoSided), mirrored);
     return built(builder.snapshot);
 }
 

@@ -4,17 +4,11 @@
 
 #include <random>
 
-#include "support/small_scenes.h"
 #include "support/snapshot_builder.h"
+#include "unit/reference/scenes.h"
 
 namespace lampyris::reference {
 namespace {
-
-RayScene built(const scene::SceneSnapshot& snapshot) {
-    auto scene = RayScene::build(snapshot);
-    EXPECT_TRUE(scene.ok());
-    return std::move(scene).value();
-}
 
 /// Where a ray meets a triangle, in double; infinity where it does not.
 double meet(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& a,

@@ -11,11 +11,6 @@
 namespace lampyris::reference {
 namespace {
 
-using test::addInstance;
-using test::addLight;
-using test::lambertian;
-using test::lookFrom;
-
 scene::SceneSnapshot cornell() {
     auto world = scene::builtinScene("cornell");
     EXPECT_TRUE(world.ok());

@@ -5,10 +5,16 @@
 
 #include <string_view>
 
+#include "reference/ray_scene.h"
 #include "reference/reference.h"
 #include "support/small_scenes.h"
 
 namespace lampyris::reference {
+
+using test::addInstance;
+using test::addLight;
+using test::lambertian;
+using test::lookFrom;
 
 inline Settings settingsFor(uint32_t width, uint32_t height, uint32_t samples) {
     Settings settings;
@@ -23,6 +29,12 @@ inline Rendered rendered(const scene::SceneSnapshot& snapshot, const scene::Snap
     auto result = render(snapshot, camera, settings);
     EXPECT_TRUE(result.ok());
     return std::move(result).value();
+}
+
+inline RayScene built(const scene::SceneSnapshot& snapshot) {
+    auto scene = RayScene::build(snapshot);
+    EXPECT_TRUE(scene.ok());
+    return std::move(scene).value();
 }
 
 inline glm::vec3 pixelOf(const core::Image& image, uint32_t x, uint32_t y) {
@@ -59,7 +71,8 @@ inline assets::Mesh boxFromInside(float half) {
     return mesh;
 }
 
-inline assets::Material glowing(const glm::vec3& radiance, const glm::vec3& albedo) {
+inline assets::Material glowing(const glm::vec3& radiance,
+                                const glm::vec3& albedo = glm::vec3(0.5f)) {
     assets::Material material = test::lambertian(albedo);
     material.emissiveRadiance = radiance;
     return material;

@@ -78,6 +78,20 @@ TEST(Emitters, LeaveOutTrianglesWithoutPower) {
     EXPECT_EQ(table.triangles[0].primitive, 1u);
 }
 
+TEST(Emitters, ShareThePowerOfTheWholeScene) {
+    test::SnapshotBuilder scene;
+    const uint32_t square = scene.addMesh(test::unitSquare());
+    scene.addInstance(square, scene.addMaterial(glowing(glm::vec3(1.0f))));
+    scene.addInstance(square, scene.addMaterial(glowing(glm::vec3(3.0f))));
+    const EmitterTable table = buildEmitters(scene.snapshot);
+    ASSERT_EQ(table.triangles.size(), 4u);
+    EXPECT_FLOAT_EQ(table.triangles[0].cumulativeOfAll, 0.125f);
+    EXPECT_FLOAT_EQ(table.triangles[1].cumulativeOfAll, 0.25f);
+    EXPECT_FLOAT_EQ(table.triangles[2].cumulativeOfAll, 0.625f);
+    EXPECT_EQ(table.triangles[3].cumulativeOfAll, 1.0f);
+    EXPECT_FLOAT_EQ(table.triangles[2].cumulative, 0.5f);
+}
+
 TEST(Emitters, HaveASignatureThatFollowsWhatTheyDependOn) {
     test::SnapshotBuilder scene;
     const uint32_t square = scene.addMesh(test::unitSquare());
