@@ -68,7 +68,7 @@ FinalGathered addFinalGather(graph::Frame& frame, const deferred::Surface& surfa
     FinalGathered gathered;
     gathered.coarse.irradiance =
         node.write(shared::SLOT_FINAL_COARSE,
-                   frame.image("coarse irradiance", {graph::Format::RGBA32Float, size}));
+                   frame.image("coarse irradiance", {graph::Format::RGBA32Uint, size}));
     gathered.coarse.guide = node.write(
         shared::SLOT_FINAL_GUIDE, frame.image("gather guide", {graph::Format::RGBA32Uint, size}));
     gathered.lookUps = node.update(shared::SLOT_FINAL_LOOK_UPS, world.grid.lookUps);
@@ -86,7 +86,7 @@ CoarseIrradiance addFinalFilter(graph::Frame& frame, const deferred::Surface& su
             .push(finalParams(surface.view, settings, 1u << level));
         coarse.irradiance =
             node.write(shared::SLOT_FINAL_COARSE,
-                       frame.image("filtered irradiance", {graph::Format::RGBA32Float, size}));
+                       frame.image("filtered irradiance", {graph::Format::RGBA32Uint, size}));
         node.dispatchOver(size);
     }
     return coarse;

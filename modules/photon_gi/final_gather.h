@@ -17,10 +17,11 @@ struct FinalGatherSettings {
     uint32_t seed;          ///< of this frame
 };
 
-/// Irradiance at low resolution, and where its texels stand.
+/// Light at low resolution, and where its texels stand.
 struct CoarseIrradiance {
-    graph::Image irradiance{};  ///< W/m², a texel for divisor × divisor pixels; a = frames in it
-    graph::Image guide{};       ///< RGBA32Uint: position as float bits, normal octahedral
+    graph::Image irradiance{};  ///< RGBA32Uint, a texel for divisor × divisor pixels: as in
+                                ///< lib/coarse_light.glsl, W/m²
+    graph::Image guide{};  ///< RGBA32Uint: position as float bits, the geometry's normal octahedral
 };
 
 /// \param step filter: texels between two taps

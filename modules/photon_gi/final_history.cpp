@@ -5,7 +5,7 @@
 namespace lampyris::photon_gi {
 
 graph::ImageDesc historyMean(const shared::View& view, uint32_t divisor) {
-    return {graph::Format::RGBA32Float, coarseSize(view, divisor)};
+    return {graph::Format::RGBA32Uint, coarseSize(view, divisor)};
 }
 
 CoarseIrradiance addFinalHistory(graph::Frame& frame, const deferred::Surface& surface,

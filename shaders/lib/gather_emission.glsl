@@ -4,6 +4,7 @@
 #ifndef LAMPYRIS_LIB_GATHER_EMISSION
 #define LAMPYRIS_LIB_GATHER_EMISSION
 #include "lib/bvh_walk.glsl"
+#include "lib/coarse_light.glsl"
 #include "lib/emitter_table.glsl"
 #include "lib/rng.glsl"
 #include "lib/sampling.glsl"
@@ -32,14 +33,13 @@ vec3 emissionMet(Hit hit, vec3 direction, vec3 normal, GatherMix mixed) {
 }
 
 // Of all samples: each a triangle by power, a point of it, and a ray there that must meet just that triangle.
-vec3 emissionSampled(vec3 origin, vec3 normal, GatherMix mixed, uint firstSample, uvec2 seed) {
+void addEmissionSampled(inout CoarseLight light, vec3 origin, vec3 normal, GatherMix mixed, uint firstSample, uvec2 seed) {
     uint triangleCount = 0u;
     if (mixed.samples > 0u) {
         GpuEmitter last = emitters[mixed.emitterCount - 1u];
         triangleCount = last.firstTriangle + last.triangleCount;
     }
     uvec2 scramble = tea(seed, 8);
-    vec3 sum = vec3(0.0);
     for (uint i = 0u; i < mixed.samples; ++i) {
         vec2 xi = sobol2(firstSample + i, scramble);
         uvec2 random = seedRandom(firstSample + i, scramble.x);
@@ -49,9 +49,8 @@ vec3 emissionSampled(vec3 origin, vec3 normal, GatherMix mixed, uint firstSample
         Hit hit;
         if (dot(normal, to) <= 0.0 || !traceClosest(origin, direction, 0.0, 1e30, hit)) continue;
         if (emitterTriangleOf(mixed.emitterCount, hit.instance, hit.primitive) == triangle)
-            sum += emissionShare(hit, direction, normal, triangle, mixed);
+            addLight(light, emissionShare(hit, direction, normal, triangle, mixed), direction, normal);
     }
-    return sum;
 }
 
 #endif

@@ -5,20 +5,19 @@
 
 struct Place {
     vec3 position;  // world, metres; far out where there is no surface
-    vec3 normal;
+    vec3 normal;    // of the geometry
 };
 
 const uvec4 kNoPlace = uvec4(0x7149f2cau);  // 1e30, and some normal
 
 Place placeOf(uvec4 guide) { return Place(uintBitsToFloat(guide.xyz), unpackDirection(guide.w)); }
 
-// spacing: metres between two texels.
+// spacing: metres between two texels. The normal may be a mapped one.
 float jointWeight(vec3 position, vec3 normal, Place other, float spacing) {
-    float same = max(dot(normal, other.normal), 0.0);
-    same *= same;
-    same *= same;
+    // [chosen] Light is carried over to surfaces that lean by less than 70 degrees.
+    float same = max(dot(normal, other.normal) - 0.34, 0.0) / 0.66;
     // [chosen] Half a texel off the tangent plane is another surface; a curved one bends no more within a texel.
-    float off = abs(dot(normal, other.position - position)) / (0.5 * spacing);
+    float off = abs(dot(other.normal, other.position - position)) / (0.5 * spacing);
     return same * same * max(1.0 - off, 0.0);
 }
 

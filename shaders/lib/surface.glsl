@@ -17,4 +17,27 @@ bool insideImage(ivec2 pixel) { return all(lessThan(pixel, ivec2(view.width, vie
 float depthAt(ivec2 pixel) { return texelFetch(surfaceDepth, pixel, 0).r; }
 vec3 normalAt(ivec2 pixel) { return unpackDirection(texelFetch(surfaceNormal, pixel, 0).r); }
 
+// The neighbour to one side or the other whose depth is nearer: on planes, depth is linear over the image.
+ivec2 nearerNeighbour(ivec2 pixel, float depth, ivec2 side) {
+    ivec2 last = ivec2(view.width, view.height) - 1;
+    ivec2 a = clamp(pixel - side, ivec2(0), last), b = clamp(pixel + side, ivec2(0), last);
+    if (a == pixel) return b;
+    if (b == pixel) return a;
+    return abs(depthAt(a) - depth) < abs(depthAt(b) - depth) ? a : b;
+}
+
+// The normal of the triangles, from depth; the mapped one where the neighbours are of other surfaces.
+vec3 geometricNormalAt(ivec2 pixel, float depth) {
+    vec3 mapped = normalAt(pixel);
+    ivec2 h = nearerNeighbour(pixel, depth, ivec2(1, 0)), v = nearerNeighbour(pixel, depth, ivec2(0, 1));
+    if (min(depthAt(h), depthAt(v)) <= 0.0) return mapped;
+    vec3 position = positionWorld(pixel, depth);
+    vec3 across = (positionWorld(h, depthAt(h)) - position) * float(h.x - pixel.x);
+    vec3 down = (positionWorld(v, depthAt(v)) - position) * float(v.y - pixel.y);
+    vec3 normal = cross(down, across);
+    float size = length(normal);
+    // [chosen] Normals are mapped, or smoothed over triangles, by less than 60 degrees.
+    return size > 0.0 && dot(normal, mapped) > 0.5 * size ? normal / size : mapped;
+}
+
 #endif

@@ -8,7 +8,7 @@
 #include "lib/surface.glsl"
 
 layout(local_size_x = 64) in;
-layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform sampler2D coarse;
+layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform usampler2D coarse;
 layout(set = 0, binding = SLOT_FINAL_GUIDE_IN) uniform usampler2D guide;
 layout(set = 0, binding = SLOT_GATHER_IRRADIANCE, rgba16f) uniform writeonly image2D irradianceIndirect;
 
@@ -33,13 +33,14 @@ void main() {
             ivec2 at = clamp(nearest + ivec2(x, y), ivec2(0), ivec2(params.coarseWidth, params.coarseHeight) - 1);
             vec2 away = vec2(representative(at) - pixel) / float(params.divisor);
             float weight = exp(-dot(away, away)) * jointWeight(position, normal, placeOf(texelFetch(guide, at, 0)), spacing);
-            sum += weight * vec4(texelFetch(coarse, at, 0).rgb, 1.0);
+            sum += weight * vec4(irradianceTowards(unpackLight(texelFetch(coarse, at, 0)), normal), 1.0);
         }
     vec3 irradiance = sum.rgb / max(sum.a, 1e-6);
     if (sum.a < kLeastWeight) {
         uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed ^ 0x5bd1e995u);
         uint slot;
-        irradiance = finalGather(position, z, normal, kRaysAlone * params.rays, params.emitterCount, 0u, random, slot);
+        irradiance =
+            finalGather(position, z, normal, kRaysAlone * params.rays, params.emitterCount, 0u, random, slot).irradiance;
     }
     imageStore(irradianceIndirect, pixel, vec4(min(irradiance, vec3(65504.0)), 1.0));
 }

@@ -2,13 +2,14 @@
 // the first fade as frames come together in the mean (a): noise falls, and blur would remain.                     [F3]
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "lib/coarse_light.glsl"
 #include "lib/gather_grid.glsl"
 #include "lib/joint_weight.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform sampler2D irradiance;
+layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform usampler2D coarse;
 layout(set = 0, binding = SLOT_FINAL_GUIDE_IN) uniform usampler2D guide;
-layout(set = 0, binding = SLOT_FINAL_COARSE, rgba32f) uniform writeonly image2D filtered;
+layout(set = 0, binding = SLOT_FINAL_COARSE, rgba32ui) uniform writeonly uimage2D filtered;
 
 const float kSpline[3] = float[3](6.0 / 16.0, 4.0 / 16.0, 1.0 / 16.0);
 
@@ -18,15 +19,14 @@ void main() {
     if (any(greaterThanEqual(texel, size))) return;
     uvec4 ownGuide = texelFetch(guide, texel, 0);
     if (ownGuide == kNoPlace) {
-        imageStore(filtered, texel, vec4(0.0, 0.0, 0.0, 1.0));
+        imageStore(filtered, texel, packLight(CoarseLight(vec3(0.0), vec3(0.0), 1.0)));
         return;
     }
     Place own = placeOf(ownGuide);
     float z = -(view.worldToView * vec4(own.position, 1.0)).z;
     float spacing = pixelFootprint(z) * float(params.divisor * params.step);
-    vec4 middle = texelFetch(irradiance, texel, 0);
-    float others = params.step > 1u ? 1.0 / max(middle.a, 1.0) : 1.0;
-    vec3 sum = vec3(0.0);
+    CoarseLight sum = CoarseLight(vec3(0.0), vec3(0.0), unpackLight(texelFetch(coarse, texel, 0)).frames);
+    float others = params.step > 1u ? 1.0 / max(sum.frames, 1.0) : 1.0;
     float total = 0.0;
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
@@ -37,8 +37,12 @@ void main() {
                            jointWeight(own.position, own.normal, placeOf(texelFetch(guide, at, 0)), spacing);
             if (!inside) weight = 0.0;
             if (x != 0 || y != 0) weight *= others;
-            sum += weight * texelFetch(irradiance, at, 0).rgb;
+            CoarseLight light = unpackLight(texelFetch(coarse, at, 0));
+            sum.irradiance += weight * light.irradiance * leaning(light, own.normal);
+            sum.slope += weight * light.slope;
             total += weight;
         }
-    imageStore(filtered, texel, vec4(total > 0.0 ? sum / total : vec3(0.0), middle.a));
+    sum.irradiance = max(sum.irradiance, vec3(0.0)) / max(total, 1e-30);
+    sum.slope = (sum.slope - own.normal * dot(own.normal, sum.slope)) / max(total, 1e-30);
+    imageStore(filtered, texel, packLight(sum));
 }

@@ -2,16 +2,17 @@
 // a = frames in the mean.                                                                                       [F4]
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "lib/coarse_light.glsl"
 #include "lib/gather_grid.glsl"
 #include "lib/joint_weight.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform sampler2D irradiance;
+layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform usampler2D coarse;
 layout(set = 0, binding = SLOT_FINAL_GUIDE_IN) uniform usampler2D guide;
 layout(set = 0, binding = SLOT_HISTORY_PARAMS, std140) uniform HistoryBlock { HistoryParams past; };
-layout(set = 0, binding = SLOT_HISTORY_BEFORE) uniform sampler2D meanBefore;
+layout(set = 0, binding = SLOT_HISTORY_BEFORE) uniform usampler2D meanBefore;
 layout(set = 0, binding = SLOT_HISTORY_GUIDE_BEFORE) uniform usampler2D guideBefore;
-layout(set = 0, binding = SLOT_FINAL_COARSE, rgba32f) uniform writeonly image2D mean;
+layout(set = 0, binding = SLOT_FINAL_COARSE, rgba32ui) uniform writeonly uimage2D mean;
 layout(set = 0, binding = SLOT_FINAL_GUIDE, rgba32ui) uniform writeonly uimage2D guideKept;
 
 // [chosen] Of the weight that texels on the same plane would have.
@@ -28,14 +29,14 @@ vec2 texelCoordinate(vec2 pixel) {
 }
 
 // Mean and number of frames at a place of the world, as the frame before left them; a = 0 where it did not see it.
-vec4 rememberedAt(Place place) {
+CoarseLight rememberedAt(Place place) {
+    CoarseLight sum = CoarseLight(vec3(0.0), vec3(0.0), 0.0);
     vec4 clip = past.worldToClipBefore * vec4(place.position, 1.0);
-    if (clip.w <= 0.0) return vec4(0.0);
+    if (clip.w <= 0.0) return sum;
     vec2 pixel = (clip.xy / clip.w * 0.5 + 0.5) * vec2(view.width, view.height);
     vec2 at = texelCoordinate(pixel);
     vec2 f = fract(at);
     float spacing = pixelFootprint(clip.w) * float(params.divisor);
-    vec4 sum = vec4(0.0);
     float total = 0.0;
     for (int i = 0; i < 4; ++i) {
         ivec2 corner = ivec2(i & 1, i >> 1);
@@ -47,10 +48,14 @@ vec4 rememberedAt(Place place) {
         Place before = placeOf(texelFetch(guideBefore, texel, 0));
         float weight = bilinear.x * bilinear.y * jointWeight(place.position, place.normal, before, spacing);
         if (!inside) weight = 0.0;
-        sum += weight * texelFetch(meanBefore, texel, 0);
+        CoarseLight light = unpackLight(texelFetch(meanBefore, texel, 0));
+        sum.irradiance += weight * light.irradiance;
+        sum.slope += weight * light.slope;
+        sum.frames += weight * light.frames;
         total += weight;
     }
-    return total >= kLeastWeight ? sum / total : vec4(0.0);
+    float scale = total >= kLeastWeight ? 1.0 / total : 0.0;
+    return CoarseLight(scale * sum.irradiance, scale * sum.slope, scale * sum.frames);
 }
 
 void main() {
@@ -58,8 +63,12 @@ void main() {
     if (texel.x >= int(params.coarseWidth) || texel.y >= int(params.coarseHeight)) return;
     uvec4 own = texelFetch(guide, texel, 0);
     imageStore(guideKept, texel, own);
-    vec4 remembered = past.mostFrames > 0u ? rememberedAt(placeOf(own)) : vec4(0.0);
-    float frames = min(floor(remembered.a + 0.5), float(past.mostFrames)) + 1.0;
-    vec3 newest = texelFetch(irradiance, texel, 0).rgb;
-    imageStore(mean, texel, vec4(mix(remembered.rgb, newest, 1.0 / frames), frames));
+    CoarseLight light = unpackLight(texelFetch(coarse, texel, 0));
+    if (past.mostFrames > 0u) {
+        CoarseLight remembered = rememberedAt(placeOf(own));
+        light.frames = min(floor(remembered.frames + 0.5), float(past.mostFrames)) + 1.0;
+        light.irradiance = mix(remembered.irradiance, light.irradiance, 1.0 / light.frames);
+        light.slope = mix(remembered.slope, light.slope, 1.0 / light.frames);
+    }
+    imageStore(mean, texel, packLight(light));
 }

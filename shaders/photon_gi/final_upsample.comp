@@ -3,12 +3,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/coarse_block.glsl"
+#include "lib/coarse_light.glsl"
 #include "lib/joint_weight.glsl"
 #include "lib/surface.glsl"
 #include "shared/photon.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform sampler2D coarse;
+layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform usampler2D coarse;
 layout(set = 0, binding = SLOT_FINAL_GUIDE_IN) uniform usampler2D guide;
 layout(set = 0, binding = SLOT_GATHER_IRRADIANCE, rgba16f) uniform writeonly image2D irradianceIndirect;
 layout(set = 0, binding = SLOT_GATHER_LIST, std430) writeonly buffer List { uint list[]; };
@@ -21,10 +22,10 @@ void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
     ivec2 first = firstPixel(block);
     if (any(greaterThanEqual(first, ivec2(view.width, view.height)))) return;
-    vec3 texels[4];
+    CoarseLight texels[4];
     Place places[4];
     for (int i = 0; i < 4; ++i) {
-        texels[i] = texelFetch(coarse, texelOf(block, i), 0).rgb;
+        texels[i] = unpackLight(texelFetch(coarse, texelOf(block, i), 0));
         places[i] = placeOf(texelFetch(guide, texelOf(block, i), 0));
     }
     int divisor = int(params.divisor);
@@ -43,7 +44,7 @@ void main() {
                 float total = 0.0;
                 for (int i = 0; i < 4; ++i) {
                     float weight = weights[i] * jointWeight(position, normal, places[i], spacing);
-                    sum += weight * texels[i];
+                    sum += weight * irradianceTowards(texels[i], normal);
                     total += weight;
                 }
                 sum /= max(total, 1e-6);
