@@ -42,8 +42,8 @@ struct Preset {
 };
 constexpr Preset kTiles{1000, 1.0f, 2, 0, 0, 0};  // the Thesis's
 constexpr Preset kFineTiles{100000, 0.25f, 1, 0, 0, 0};
-constexpr Preset kFast{4000, 1.0f, 8, 3, 2, 8};
-constexpr Preset kFine{20000, 1.0f, 4, 8, 2, 16};
+constexpr Preset kFast{2500, 1.0f, 8, 3, 2, 6};
+constexpr Preset kFine{16000, 1.0f, 4, 6, 2, 12};
 
 template <typename T>
 std::string namesOf(const std::map<std::string, T>& choices) {
@@ -150,7 +150,7 @@ void addFrameOptions(CLI::App& app, Options& o) {
     addChoice(app, "--quality", o.quality, kQualities,
               "preset of full for --photons, --radius and --gather-divisor (fast)");
     app.add_option("--photons", o.photons,
-                   "paths emitted a frame (4000; fine 20000; with tiles 1000)")
+                   "paths emitted a frame (2500; fine 16000; with tiles 1000)")
         ->check(CLI::Range(1u, 0xffffffffu));
     app.add_option("--radius", o.radius,
                    "metres that a photon reaches; the final gather's cells are half as wide (1.0)")
@@ -161,7 +161,7 @@ void addFrameOptions(CLI::App& app, Options& o) {
     addChoice(app, "--gather", o.gather, kGathers,
               "how indirect light is looked up: photons binned to tiles, or a final gather "
               "(full: final, thesis: tiles)");
-    app.add_option("--gather-rays", o.gatherRays, "final gather: rays a texel (3; fine 8)")
+    app.add_option("--gather-rays", o.gatherRays, "final gather: rays a texel (3; fine 6)")
         ->check(CLI::Range(1u, kMaxGatherRays));
     app.add_option("--filter-levels", o.filterLevels, "final gather: levels of the filter (2)")
         ->check(CLI::Range(0u, kMaxFilterLevels));

@@ -21,14 +21,12 @@ CoarseLight unpackLight(uvec4 bits) {
     return CoarseLight(vec3(rg, bf.x), vec3(xy, unpackHalf2x16(bits.w).x), bf.y);
 }
 
-// Irradiance over its mean, for a normal beside the texel's. May be below 0 before texels are averaged.
-float leaning(CoarseLight light, vec3 normal) {
-    return 1.0 + dot(light.slope, normal) / max(dot(light.irradiance, vec3(1.0 / 3.0)), 1e-30);
-}
+// The slope over the irradiance's mean.
+vec3 relativeSlope(CoarseLight light) { return light.slope / max(dot(light.irradiance, vec3(1.0 / 3.0)), 1e-30); }
 
 // [chosen] Light all from one side goes to nothing where the surface turns away; what it turns to was not seen.
-vec3 irradianceTowards(CoarseLight light, vec3 normal) {
-    return light.irradiance * clamp(leaning(light, normal), 0.05, 3.0);
+vec3 irradianceTowards(vec3 irradiance, vec3 relativeSlope, vec3 normal) {
+    return irradiance * clamp(1.0 + dot(relativeSlope, normal), 0.05, 3.0);
 }
 
 // Adds what comes from a direction: its share of the irradiance of a normal.

@@ -33,7 +33,8 @@ void main() {
             ivec2 at = clamp(nearest + ivec2(x, y), ivec2(0), ivec2(params.coarseWidth, params.coarseHeight) - 1);
             vec2 away = vec2(representative(at) - pixel) / float(params.divisor);
             float weight = exp(-dot(away, away)) * jointWeight(position, normal, placeOf(texelFetch(guide, at, 0)), spacing);
-            sum += weight * vec4(irradianceTowards(unpackLight(texelFetch(coarse, at, 0)), normal), 1.0);
+            CoarseLight light = unpackLight(texelFetch(coarse, at, 0));
+            sum += weight * vec4(irradianceTowards(light.irradiance, relativeSlope(light), normal), 1.0);
         }
     vec3 irradiance = sum.rgb / max(sum.a, 1e-6);
     if (sum.a < kLeastWeight) {

@@ -38,7 +38,7 @@ void main() {
             if (!inside) weight = 0.0;
             if (x != 0 || y != 0) weight *= others;
             CoarseLight light = unpackLight(texelFetch(coarse, at, 0));
-            sum.irradiance += weight * light.irradiance * leaning(light, own.normal);
+            sum.irradiance += weight * light.irradiance * (1.0 + dot(relativeSlope(light), own.normal));
             sum.slope += weight * light.slope;
             total += weight;
         }

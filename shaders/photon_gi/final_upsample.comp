@@ -22,10 +22,12 @@ void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
     ivec2 first = firstPixel(block);
     if (any(greaterThanEqual(first, ivec2(view.width, view.height)))) return;
-    CoarseLight texels[4];
+    vec3 irradiances[4], slopes[4];
     Place places[4];
     for (int i = 0; i < 4; ++i) {
-        texels[i] = unpackLight(texelFetch(coarse, texelOf(block, i), 0));
+        CoarseLight light = unpackLight(texelFetch(coarse, texelOf(block, i), 0));
+        irradiances[i] = light.irradiance;
+        slopes[i] = relativeSlope(light);
         places[i] = placeOf(texelFetch(guide, texelOf(block, i), 0));
     }
     int divisor = int(params.divisor);
@@ -44,7 +46,7 @@ void main() {
                 float total = 0.0;
                 for (int i = 0; i < 4; ++i) {
                     float weight = weights[i] * jointWeight(position, normal, places[i], spacing);
-                    sum += weight * irradianceTowards(texels[i], normal);
+                    sum += weight * irradianceTowards(irradiances[i], slopes[i], normal);
                     total += weight;
                 }
                 sum /= max(total, 1e-6);

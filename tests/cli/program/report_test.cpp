@@ -83,7 +83,7 @@ TEST(Report, NamesNodesAsTheContractDoesAndTheirSumIsTheFrame) {
 TEST(Report, AccountsForAllEmittedPower) {
     for (const char* pipeline : {"full", "thesis"}) {
         const Json photons = reportOf({"--pipeline", pipeline})["photons"];
-        EXPECT_EQ(photons["paths"], std::string(pipeline) == "full" ? 4000 : 1000);
+        EXPECT_EQ(photons["paths"], std::string(pipeline) == "full" ? 2500 : 1000);
         EXPECT_GT(photons["stored"], 100);
         for (size_t c = 0; c < 3; ++c) {
             const double emitted = photons["emitted_watts"][c];
@@ -99,7 +99,7 @@ TEST(Report, AccountsForAllEmittedPower) {
 
 TEST(Report, SaysWhatTheFrameWasMadeWith) {
     const Json plain = reportOf()["settings"];
-    EXPECT_EQ(plain["photons"], 4000);
+    EXPECT_EQ(plain["photons"], 2500);
     EXPECT_EQ(plain["gather"], "final");
     EXPECT_EQ(plain["radius"], 1.0);
     EXPECT_EQ(plain["max_bounces"], 8);

@@ -182,6 +182,55 @@ TEST_F(FinalGather, ACameraThatMovesFindsItsPastAgain) {
     EXPECT_LT(errorOf(moving, truth), 0.5 * errorOf(alone, truth));
 }
 
+/// Flat strips whose normals lean to the left and to the right in turn, as if mapped; light comes
+/// from the left.
+scene::SceneSnapshot pleatedPanel() {
+    scene::SceneSnapshot snapshot;
+    test::addRoom(snapshot, 0.0f, 8.0f);
+    test::addLight(snapshot, {0.6f, 1.5f, 0.0f}, 0.1f, 200.0f);
+    for (int i = 0; i < 32; ++i) {
+        const float x = 2.0f + 0.125f * static_cast<float>(i);
+        auto strip = test::quad({x, 0.5f, -1.9f}, {x + 0.125f, 0.5f, -1.9f},
+                                {x + 0.125f, 2.5f, -1.9f}, {x, 2.5f, -1.9f});
+        const glm::vec3 leaning(i % 2 == 0 ? -0.6f : 0.6f, 0.0f, 0.8f);
+        strip.normals.assign(4, leaning);
+        test::addInstance(snapshot, strip, test::lambertian(glm::vec3(0.5f)));
+    }
+    return snapshot;
+}
+
+TEST_F(FinalGather, LightIsCarriedOverToSurfacesThatLean) {
+    const auto snapshot = pleatedPanel();
+    const auto camera = test::lookFrom({4.0f, 1.5f, 1.9f}, {4.0f, 1.5f, -2.0f}, 28.0f);
+    reference::Settings exact;
+    exact.width = 192;
+    exact.height = 108;
+    exact.samplesPerPixel = 128;
+    const auto truth = test::need(reference::render(snapshot, camera, exact));
+    auto wanted = request(exact.width, exact.height, camera);
+    wanted.settings.gatherRays = 64;
+    wanted.settings.photonPaths = 100000;
+    const auto drawn = render(snapshot, wanted, "irradiance_indirect");
+    /// Mean over the strips that lean to one side.
+    const auto meanOver = [&](const core::Image& light, float side) {
+        double sum = 0.0;
+        double count = 0.0;
+        for (size_t pixel = 0; pixel < size_t{exact.width} * exact.height; ++pixel) {
+            if (truth.normal.values[pixel * truth.normal.channels] * side < 0.5f) continue;
+            sum += static_cast<double>(light.values[pixel * light.channels + 1]);
+            count += 1.0;
+        }
+        return sum / count;
+    };
+    const double left = meanOver(truth.irradianceIndirect, -1.0f);
+    const double right = meanOver(truth.irradianceIndirect, 1.0f);
+    EXPECT_GT(left, 1.5 * right);
+    // Texels are eight pixels wide, strips six.
+    EXPECT_NEAR(meanOver(drawn.image, -1.0f), left, 0.1 * left);
+    EXPECT_NEAR(meanOver(drawn.image, 1.0f), right, 0.1 * right);
+    EXPECT_LT(drawn.report.counters.pixelsRecomputed, 200u);
+}
+
 TEST_F(FinalGather, LowResolutionShadowsAreThoseOfManyRaysAPixel) {
     const auto snapshot = test::builtinSnapshot("cornell");
     auto wanted = request(640, 360, snapshot.cameras.front());
