@@ -42,7 +42,7 @@ struct Preset {
 };
 constexpr Preset kTiles{1000, 1.0f, 2, 0, 0, 0};  // the Thesis's
 constexpr Preset kFineTiles{100000, 0.25f, 1, 0, 0, 0};
-constexpr Preset kFast{2500, 1.0f, 8, 3, 2, 6};
+constexpr Preset kFast{2500, 1.0f, 8, 3, 2, 8};
 constexpr Preset kFine{16000, 1.0f, 4, 6, 2, 12};
 
 template <typename T>
@@ -110,9 +110,12 @@ core::Result<void> checkUsed(const Options& o) {
         o.pipeline == Pipeline::Full && o.gather != std::optional{photon_gi::Gather::Tiles};
     const std::array gather{Asked{"--gather-rays", o.gatherRays.has_value()},
                             Asked{"--filter-levels", o.filterLevels.value_or(0) > 0},
-                            Asked{"--history", o.history.value_or(0) > 0}};
+                            Asked{"--history", o.history.value_or(0) > 0},
+                            Asked{"--guiding", o.guiding.value_or(false)}};
     for (const auto& [flag, given] : gather)
         if (!final && given) return core::error("{} is of full's final gather", flag);
+    if (o.guiding.value_or(false) && !o.reseed)
+        return core::error("--guiding learns from other paths; --reseed off has always the same");
     const std::array shadows{Asked{"--shadow-divisor", o.shadowDivisor.has_value()},
                              Asked{"--shadow-rays", o.shadowRays.has_value()}};
     for (const auto& [flag, given] : shadows)
@@ -148,12 +151,13 @@ void addFrameOptions(CLI::App& app, Options& o) {
     addChoice(app, "--pipeline", o.pipeline, kPipelines,
               "full, the yardstick thesis, or direct light alone (full)");
     addChoice(app, "--quality", o.quality, kQualities,
-              "preset of full for --photons, --radius and --gather-divisor (fast)");
+              "preset of full: paths, rays, low resolution (fast)");
     app.add_option("--photons", o.photons,
-                   "paths emitted a frame (2500; fine 16000; with tiles 1000)")
+                   "paths emitted a frame (2500; fine 16000; with tiles 1000; fine 100000)")
         ->check(CLI::Range(1u, 0xffffffffu));
     app.add_option("--radius", o.radius,
-                   "metres that a photon reaches; the final gather's cells are half as wide (1.0)")
+                   "metres that a photon reaches; the final gather's cells are half as wide (1; "
+                   "fine tiles 0.25)")
         ->check(finite(1e-6, 1e6));
     app.add_option("--max-bounces", o.maxBounces,
                    "a path hits at most one surface more; 0 is direct light (full 8, thesis 1)")
@@ -166,14 +170,15 @@ void addFrameOptions(CLI::App& app, Options& o) {
     app.add_option("--filter-levels", o.filterLevels, "final gather: levels of the filter (2)")
         ->check(CLI::Range(0u, kMaxFilterLevels));
     app.add_option("--gather-divisor", o.gatherDivisor,
-                   "low resolution, an axis (8; fine 4; with tiles 2)")
+                   "low resolution, an axis (8; fine 4; with tiles 2; fine 1)")
         ->check(CLI::Range(1u, kMaxGatherDivisor));
     app.add_option("--shadow-divisor", o.shadowDivisor, "low resolution of shadows, an axis (4)")
         ->check(CLI::Range(1u, kMaxGatherDivisor));
     app.add_option("--shadow-rays", o.shadowRays, "a light and low-resolution texel (8)")
         ->check(CLI::Range(1u, kMaxShadowRays));
     app.add_option("--history", o.history,
-                   "final gather: frames in the mean while nothing changes; 0 is off (32)")
+                   "final gather: frames in the mean while nothing changes; 0 is off (32; 1 "
+                   "without --reseed)")
         ->check(CLI::Range(0u, kMaxHistory));
     addChoice(app, "--guiding", o.guiding, kSwitch,
               "final gather: send photons where earlier frames looked them up (on)");
@@ -281,7 +286,7 @@ photon_gi::Settings settingsOf(const Options& o) {
     s.lightCutoff = o.lightCutoff;
     s.seed = o.seed;
     s.reseed = o.reseed;
-    s.guiding = o.guiding;
+    s.guiding = o.guiding.value_or(true);
     return s;
 }
 

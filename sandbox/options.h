@@ -29,7 +29,8 @@ struct Options {
     std::optional<photon_gi::Gather> gather;
     std::optional<uint32_t> gatherRays, filterLevels, shadowDivisor, shadowRays;
     std::optional<uint32_t> history;
-    bool reseed = true, guiding = true;
+    std::optional<bool> guiding;
+    bool reseed = true;
     std::string retrace = "auto";
     float lightCutoff = 0.001f;
     std::string camera;

@@ -32,7 +32,7 @@ struct Settings {
     uint32_t gatherRays = 3;        ///< final gather: a texel
     uint32_t filterLevels = 2;      ///< final gather: of the à-trous filter
     uint32_t history = 32;          ///< final gather: most frames in the mean; 0: each stands alone
-    uint32_t gridColumns = 6;       ///< final gather: rays that measure a grid cell's surface
+    uint32_t gridColumns = 8;       ///< final gather: rays that measure a grid cell's surface
     float lightCutoff = 0.001f;     ///< of the frame's mean direct irradiance
     uint32_t seed = 1;
     bool reseed = true;          ///< paths are drawn anew every frame

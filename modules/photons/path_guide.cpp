@@ -15,7 +15,8 @@ constexpr uint32_t kMostSides = 8;
 constexpr uint32_t kPathsPerPart = 8;
 // [chosen] A frame's weight in the running means.
 constexpr double kNewest = 0.1;
-// [chosen] Of a part's share that follows power alone: no part loses more than half its paths.
+// [chosen] Of a part's share that follows power alone: no part loses more than three quarters
+// of its paths.
 constexpr double kUnguided = 0.25;
 
 double mean(const glm::vec3& rgb) {
@@ -106,7 +107,9 @@ void PathGuide::learn(const PathSplit& split, std::span<const float> importance)
         double sum = 0.0;
         for (uint32_t p = 0; p < range.pathCount; ++p)
             sum += static_cast<double>(importance[range.firstPath + p]);
-        const auto watts = static_cast<double>(range.powerPerPath.w / split.powerScale);
+        const double watts =
+            static_cast<double>(range.powerPerPath.w) / static_cast<double>(split.powerScale);
+        if (watts <= 0.0) continue;
         const double square = sum / range.pathCount / (watts * watts);
         squares_[i] += (learned_ ? kNewest : 1.0) * (square - squares_[i]);
     }

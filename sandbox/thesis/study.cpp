@@ -46,6 +46,7 @@ Contestant Study::contestant(Pipeline pipeline, const std::string& scene) const 
     c.options.pipeline = pipeline;
     c.options.lightCutoff = 0.0f;
     c.options.history = 0;
+    c.options.guiding = false;
     if (pipeline == Pipeline::Thesis)
         c.options.maxBounces = std::min(call_.options.maxBounces.value_or(1), 1u);
     return c;

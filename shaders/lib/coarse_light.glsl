@@ -29,6 +29,18 @@ vec3 irradianceTowards(vec3 irradiance, vec3 relativeSlope, vec3 normal) {
     return irradiance * clamp(1.0 + dot(relativeSlope, normal), 0.05, 3.0);
 }
 
+// Adds another texel's light as a normal beside it sees it.
+void addLeaning(inout CoarseLight sum, CoarseLight light, vec3 normal, float weight) {
+    sum.irradiance += weight * light.irradiance * (1.0 + dot(relativeSlope(light), normal));
+    sum.slope += weight * light.slope;
+}
+
+// Such a sum, brought to scale: no light below 0, and the slope at right angles to the normal again.
+CoarseLight settled(CoarseLight sum, vec3 normal, float scale) {
+    return CoarseLight(scale * max(sum.irradiance, vec3(0.0)), scale * (sum.slope - normal * dot(normal, sum.slope)),
+                       sum.frames);
+}
+
 // Adds what comes from a direction: its share of the irradiance of a normal.
 void addLight(inout CoarseLight light, vec3 irradiance, vec3 direction, vec3 normal) {
     light.irradiance += irradiance;

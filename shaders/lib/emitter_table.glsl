@@ -49,7 +49,7 @@ uint emitterTriangleOf(uint emitterCount, uint instance, uint primitive) {
 }
 
 // Probability for each square metre of a triangle that a draw by power over the whole table ends there: of the shares
-// as they were rounded, so that it is exact.
+// as they were rounded. Draws have 24 bits: of a share below 2^-24 a little light is lost.
 float emitterDensity(uint triangle) {
     float before = triangle > 0u ? emitterTexel(triangle - 1u, 3u).w : 0.0;
     return (emitterTexel(triangle, 3u).w - before) / max(emitterTexel(triangle, 2u).w, 1e-30);

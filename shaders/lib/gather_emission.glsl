@@ -1,5 +1,5 @@
 // Irradiance that comes straight from emissive triangles. Rays by the cosine that happen to meet one make sparks where
-// it is small; samples of the triangles do so where it is near. Both are added up by the balance heuristic [Veach 1995]:
+// it is small; samples of the triangles do so where it is near. The balance heuristic adds up both [Veach 1995]:
 //   E = Σ Le cos / (n cos/π + m p),   n rays and m samples; p, density of the samples by solid angle                [F5]
 #ifndef LAMPYRIS_LIB_GATHER_EMISSION
 #define LAMPYRIS_LIB_GATHER_EMISSION
@@ -28,12 +28,14 @@ vec3 emissionShare(Hit hit, vec3 direction, vec3 normal, uint triangle, GatherMi
 // Of a ray by the cosine.
 vec3 emissionMet(Hit hit, vec3 direction, vec3 normal, GatherMix mixed) {
     if ((instances[hit.instance].flags & INSTANCE_EMISSIVE) == 0u) return vec3(0.0);
-    uint triangle = mixed.samples > 0u ? emitterTriangleOf(mixed.emitterCount, hit.instance, hit.primitive) : SCENE_NONE;
+    uint triangle =
+        mixed.samples > 0u ? emitterTriangleOf(mixed.emitterCount, hit.instance, hit.primitive) : SCENE_NONE;
     return emissionShare(hit, direction, normal, triangle, mixed);
 }
 
 // Of all samples: each a triangle by power, a point of it, and a ray there that must meet just that triangle.
-void addEmissionSampled(inout CoarseLight light, vec3 origin, vec3 normal, GatherMix mixed, uint firstSample, uvec2 seed) {
+void addEmissionSampled(inout CoarseLight light, vec3 origin, vec3 normal, GatherMix mixed, uint firstSample,
+                        uvec2 seed) {
     uint triangleCount = 0u;
     if (mixed.samples > 0u) {
         GpuEmitter last = emitters[mixed.emitterCount - 1u];

@@ -5,7 +5,7 @@
 
 struct Place {
     vec3 position;  // world, metres; far out where there is no surface
-    vec3 normal;    // of the geometry
+    vec3 normal;    // of the geometry; shadows': mapped
 };
 
 const uvec4 kNoPlace = uvec4(0x7149f2cau);  // 1e30, and some normal

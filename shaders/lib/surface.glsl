@@ -26,15 +26,16 @@ ivec2 nearerNeighbour(ivec2 pixel, float depth, ivec2 side) {
     return abs(depthAt(a) - depth) < abs(depthAt(b) - depth) ? a : b;
 }
 
-// The normal of the triangles, from depth; the mapped one where the neighbours are of other surfaces.
+// The normal of the triangles, from depth; the mapped one at the background, or where the two are far apart, as beside
+// other surfaces.
 vec3 geometricNormalAt(ivec2 pixel, float depth) {
     vec3 mapped = normalAt(pixel);
     ivec2 h = nearerNeighbour(pixel, depth, ivec2(1, 0)), v = nearerNeighbour(pixel, depth, ivec2(0, 1));
     if (min(depthAt(h), depthAt(v)) <= 0.0) return mapped;
-    vec3 position = positionWorld(pixel, depth);
-    vec3 across = (positionWorld(h, depthAt(h)) - position) * float(h.x - pixel.x);
-    vec3 down = (positionWorld(v, depthAt(v)) - position) * float(v.y - pixel.y);
-    vec3 normal = cross(down, across);
+    vec3 position = positionView(pixel, depth);  // the world's numbers may be too large to tell pixels apart
+    vec3 across = (positionView(h, depthAt(h)) - position) * float(h.x - pixel.x);
+    vec3 down = (positionView(v, depthAt(v)) - position) * float(v.y - pixel.y);
+    vec3 normal = mat3(view.viewToWorld) * cross(down, across);
     float size = length(normal);
     // [chosen] Normals are mapped, or smoothed over triangles, by less than 60 degrees.
     return size > 0.0 && dot(normal, mapped) > 0.5 * size ? normal / size : mapped;

@@ -32,7 +32,8 @@ void main() {
         for (int x = -kReach; x <= kReach; ++x) {
             ivec2 at = clamp(nearest + ivec2(x, y), ivec2(0), ivec2(params.coarseWidth, params.coarseHeight) - 1);
             vec2 away = vec2(representative(at) - pixel) / float(params.divisor);
-            float weight = exp(-dot(away, away)) * jointWeight(position, normal, placeOf(texelFetch(guide, at, 0)), spacing);
+            Place texel = placeOf(texelFetch(guide, at, 0));
+            float weight = exp(-dot(away, away)) * jointWeight(position, normal, texel, spacing);
             CoarseLight light = unpackLight(texelFetch(coarse, at, 0));
             sum += weight * vec4(irradianceTowards(light.irradiance, relativeSlope(light), normal), 1.0);
         }
@@ -40,8 +41,8 @@ void main() {
     if (sum.a < kLeastWeight) {
         uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed ^ 0x5bd1e995u);
         uint slot;
-        irradiance =
-            finalGather(position, z, normal, kRaysAlone * params.rays, params.emitterCount, 0u, random, slot).irradiance;
+        uint rays = kRaysAlone * params.rays;
+        irradiance = finalGather(position, z, normal, rays, params.emitterCount, 0u, random, slot).irradiance;
     }
     imageStore(irradianceIndirect, pixel, vec4(min(irradiance, vec3(65504.0)), 1.0));
 }

@@ -1,5 +1,5 @@
 // One level of an edge-stopping à-trous filter over low-resolution irradiance [Dammertz et al. 2010]. The levels past
-// the first fade as frames come together in the mean (a): noise falls, and blur would remain.                     [F3]
+// the first fade as frames come together in the mean: noise falls, and blur would remain.                     [F3]
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/coarse_light.glsl"
@@ -37,12 +37,8 @@ void main() {
                            jointWeight(own.position, own.normal, placeOf(texelFetch(guide, at, 0)), spacing);
             if (!inside) weight = 0.0;
             if (x != 0 || y != 0) weight *= others;
-            CoarseLight light = unpackLight(texelFetch(coarse, at, 0));
-            sum.irradiance += weight * light.irradiance * (1.0 + dot(relativeSlope(light), own.normal));
-            sum.slope += weight * light.slope;
+            addLeaning(sum, unpackLight(texelFetch(coarse, at, 0)), own.normal, weight);
             total += weight;
         }
-    sum.irradiance = max(sum.irradiance, vec3(0.0)) / max(total, 1e-30);
-    sum.slope = (sum.slope - own.normal * dot(own.normal, sum.slope)) / max(total, 1e-30);
-    imageStore(filtered, texel, packLight(sum));
+    imageStore(filtered, texel, packLight(settled(sum, own.normal, 1.0 / max(total, 1e-30))));
 }

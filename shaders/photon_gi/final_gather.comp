@@ -1,4 +1,5 @@
-// Indirect light at low resolution, about the geometry's normal, where each texel stands, and how often each slot of the grid was looked up.
+// Indirect light at low resolution, about the geometry's normal; where each texel stands; and how often each slot of
+// the grid was looked up.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/final_gather.glsl"

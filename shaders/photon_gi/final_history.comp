@@ -1,5 +1,4 @@
-// The mean of the last frames' irradiance at each texel's place, found where that place was seen in the frame before.
-// a = frames in the mean.                                                                                       [F4]
+// The mean of the last frames' light at each texel's place, found where that place was seen in the frame before.  [F4]
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/coarse_light.glsl"
@@ -10,9 +9,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform usampler2D coarse;
 layout(set = 0, binding = SLOT_FINAL_GUIDE_IN) uniform usampler2D guide;
 layout(set = 0, binding = SLOT_HISTORY_PARAMS, std140) uniform HistoryBlock { HistoryParams past; };
-layout(set = 0, binding = SLOT_HISTORY_BEFORE) uniform usampler2D meanBefore;
+layout(set = 0, binding = SLOT_HISTORY_BEFORE) uniform sampler2D meanBefore;    // irradiance, frames in the mean
+layout(set = 0, binding = SLOT_HISTORY_SLOPE_BEFORE) uniform sampler2D slopeBefore;
 layout(set = 0, binding = SLOT_HISTORY_GUIDE_BEFORE) uniform usampler2D guideBefore;
 layout(set = 0, binding = SLOT_FINAL_COARSE, rgba32ui) uniform writeonly uimage2D mean;
+// Floats: the steps of a long mean are smaller than a half's roundings.
+layout(set = 0, binding = SLOT_HISTORY_MEAN, rgba32f) uniform writeonly image2D meanKept;
+layout(set = 0, binding = SLOT_HISTORY_SLOPE, rgba32f) uniform writeonly image2D slopeKept;
 layout(set = 0, binding = SLOT_FINAL_GUIDE, rgba32ui) uniform writeonly uimage2D guideKept;
 
 // [chosen] Of the weight that texels on the same plane would have.
@@ -28,7 +31,7 @@ vec2 texelCoordinate(vec2 pixel) {
     return mix(regular, vec2(nextToLast) + (pixel - before) / span, greaterThan(pixel, before));
 }
 
-// Mean and number of frames at a place of the world, as the frame before left them; a = 0 where it did not see it.
+// The mean at a place of the world, as the frame before left it; no frames where it did not see it.
 CoarseLight rememberedAt(Place place) {
     CoarseLight sum = CoarseLight(vec3(0.0), vec3(0.0), 0.0);
     vec4 clip = past.worldToClipBefore * vec4(place.position, 1.0);
@@ -48,14 +51,17 @@ CoarseLight rememberedAt(Place place) {
         Place before = placeOf(texelFetch(guideBefore, texel, 0));
         float weight = bilinear.x * bilinear.y * jointWeight(place.position, place.normal, before, spacing);
         if (!inside) weight = 0.0;
-        CoarseLight light = unpackLight(texelFetch(meanBefore, texel, 0));
-        sum.irradiance += weight * light.irradiance;
-        sum.slope += weight * light.slope;
+        vec4 irradianceFrames = texelFetch(meanBefore, texel, 0);
+        CoarseLight light =
+            CoarseLight(irradianceFrames.rgb, texelFetch(slopeBefore, texel, 0).xyz, irradianceFrames.a);
+        addLeaning(sum, light, place.normal, weight);
         sum.frames += weight * light.frames;
         total += weight;
     }
     float scale = total >= kLeastWeight ? 1.0 / total : 0.0;
-    return CoarseLight(scale * sum.irradiance, scale * sum.slope, scale * sum.frames);
+    CoarseLight light = settled(sum, place.normal, scale);
+    light.frames = scale * sum.frames;
+    return light;
 }
 
 void main() {
@@ -71,4 +77,6 @@ void main() {
         light.slope = mix(remembered.slope, light.slope, 1.0 / light.frames);
     }
     imageStore(mean, texel, packLight(light));
+    imageStore(meanKept, texel, vec4(light.irradiance, light.frames));
+    imageStore(slopeKept, texel, vec4(light.slope, 0.0));
 }

@@ -22,7 +22,8 @@ void main() {
         uint slot = photonSlots[photon];
         if (slot > grid.slotMask) continue;
         vec3 power = photonPower(texelFetch(photons, int(2u * photon)), texelFetch(photons, int(2u * photon + 1u)));
-        float irradiance = dot(power, vec3(1.0 / 3.0)) / cellMetres2(grid, table[slot * GRID_SLOT_WORDS + GRID_WORD_AREA]);
+        float metres2 = cellMetres2(grid, table[slot * GRID_SLOT_WORDS + GRID_WORD_AREA]);
+        float irradiance = dot(power, vec3(1.0 / 3.0)) / metres2;
         sum += float(lookUps[slot]) * irradiance * irradiance;
     }
     importance[path] = sum;

@@ -55,6 +55,8 @@ TEST(WrongCall, LeavesNoFile) {
         {{"--filter-levels", "9"}, "--filter-levels"},
         {{"--history", "4", "--gather", "tiles"}, "--history"},
         {{"--history", "4", "--pipeline", "thesis"}, "--history"},
+        {{"--guiding", "on", "--gather", "tiles"}, "--guiding"},
+        {{"--guiding", "on", "--reseed", "off"}, "--guiding"},
         {{"--history", "-1"}, "--history"},
         {{"--gather-rays", "3", "--gather", "tiles"}, "--gather-rays"},
         {{"--gather-rays", "3", "--pipeline", "thesis"}, "--gather-rays"},

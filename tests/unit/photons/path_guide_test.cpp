@@ -112,6 +112,18 @@ TEST(PathGuide, NothingThatMatteredLeavesTheSplitByPower) {
         EXPECT_EQ(first.ranges[i].pathCount, second.ranges[i].pathCount);
 }
 
+TEST(PathGuide, ALightTooFaintForAFloatDoesNoHarm) {
+    auto emitters = twoLights();
+    emitters[1].powerWatts = emitters[1].sampledWatts = glm::vec3(1e-42f);
+    PathGuide guide;
+    const auto first = guide.split(emitters, 2000);
+    guide.learn(first, std::vector<float>(2000, 1.0f));
+    const auto second = guide.split(emitters, 2000);
+    ASSERT_EQ(second.ranges.size(), first.ranges.size());
+    EXPECT_EQ(pathsOf(second, 1), 1u);
+    EXPECT_EQ(pathsOf(second, 0), 1999u);
+}
+
 TEST(PathGuide, FewPathsAreNotCutUp) {
     PathGuide guide;
     EXPECT_EQ(guide.split(twoLights(), 6).ranges.size(), 2u);
