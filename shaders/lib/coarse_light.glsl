@@ -44,9 +44,9 @@ CoarseLight settled(CoarseLight sum, vec3 normal, float scale) {
 // Adds what comes from a direction: its share of the irradiance of a normal.
 void addLight(inout CoarseLight light, vec3 irradiance, vec3 direction, vec3 normal) {
     light.irradiance += irradiance;
-    // A normal m sees the share by (m · ω) / (n · ω). [chosen] Grazing light no steeper than 1 in 4: less noise.
+    // A normal m sees the share by (m · ω) / (n · ω). [chosen] Grazing light no steeper than 2 in 5: less noise.
     float cosine = dot(direction, normal);
-    light.slope += dot(irradiance, vec3(1.0 / 3.0)) * (direction - cosine * normal) / max(cosine, 0.25);
+    light.slope += dot(irradiance, vec3(1.0 / 3.0)) * (direction - cosine * normal) / max(cosine, 0.4);
 }
 
 #endif
