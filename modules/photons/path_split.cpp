@@ -98,6 +98,7 @@ PathSplit splitPaths(const std::vector<EmitterPart>& parts, uint32_t paths,
 
 PathSplit splitPaths(const std::vector<Emitter>& emitters, uint32_t paths) {
     std::vector<EmitterPart> parts;
+    parts.reserve(emitters.size());
     for (const Emitter& emitter : emitters) parts.push_back({emitter});
     return splitPaths(parts, paths);
 }
