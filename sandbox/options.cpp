@@ -13,7 +13,7 @@ constexpr graph::Extent kDefaultSize{1280, 720};
 constexpr uint32_t kMaxSide = 65535;   // what two 16-bit halves of a pixel's address hold
 constexpr uint32_t kMaxBounces = 255;  // [chosen] far past what roulette lets live
 constexpr uint32_t kMaxGatherDivisor = 16;
-constexpr uint32_t kMaxGatherRays = 64;
+constexpr uint32_t kMaxGatherRays = 256;
 constexpr uint32_t kMaxHistory = 4096;
 constexpr uint32_t kMaxShadowRays = 31;
 constexpr uint32_t kMaxFilterLevels = 5;
