@@ -19,6 +19,13 @@ shared::GatherParams finalParams(const shared::View& view, const FinalGatherSett
     return params;
 }
 
+void bindCoarse(graph::ComputeNode& node, const CoarseIrradiance& coarse) {
+    node.sample(shared::SLOT_FINAL_COARSE_IN, coarse.irradiance)
+        .sample(shared::SLOT_FINAL_GUIDE_IN, coarse.guide);
+}
+
+namespace {
+
 /// Of nodes that trace rays.
 shared::GatherParams rayParams(const shared::View& view, const GatherWorld& world,
                                const FinalGatherSettings& settings) {
@@ -31,13 +38,6 @@ void bindWorld(graph::ComputeNode& node, const GatherWorld& world) {
     photons::bindGrid(node, world.grid, world.scene, world.accel);
     residency::bindEmitters(node, world.scene);
 }
-
-void bindCoarse(graph::ComputeNode& node, const CoarseIrradiance& coarse) {
-    node.sample(shared::SLOT_FINAL_COARSE_IN, coarse.irradiance)
-        .sample(shared::SLOT_FINAL_GUIDE_IN, coarse.guide);
-}
-
-namespace {
 
 graph::Image addEdgePixels(graph::Frame& frame, const deferred::Surface& surface,
                            const GatherWorld& world, const CoarseIrradiance& coarse,
