@@ -71,6 +71,7 @@ TEST(PathGuide, MovesPathsButNoPower) {
     const auto after = guide.split(emitters, 4000);
     ASSERT_EQ(after.ranges.size(), before.ranges.size());
     const auto watts = wattsByLight(after);
+    EXPECT_NEAR(watts.at(0), 60.0, 1e-4 * 60.0);  // green, of the light that shines every way
     for (const auto& [light, expected] : wattsByLight(before))
         EXPECT_NEAR(watts.at(light), expected, 1e-5 * expected);
     for (size_t i = 0; i < after.ranges.size(); ++i) {
