@@ -4,9 +4,9 @@
 
 #include "camera_choice.h"
 #include "core/log.h"
+#include "open_world.h"
 #include "scene/extract.h"
-#include "scene/load.h"
-#include "scene/systems/world_transforms.h"
+#include "scene/motion.h"
 
 namespace lampyris::sandbox {
 namespace {
@@ -47,11 +47,14 @@ core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options,
     loop->request.size = sizeOf(options);
     loop->request.settings = settingsOf(options);
     loop->outputNode_ = options.outputNode;
+    loop->seconds = options.time;
+    loop->startSeconds_ = options.time;
+    loop->timestep_ = options.timestep.value_or(0.0);
     TRY_VOID(checkSize(loop->request.size, *loop->device_));
     TRY_VOID(checkPaths(loop->request.settings.photonPaths, *loop->device_));
     TRY(execute::Executor executor, execute::Executor::create(*loop->device_));
     loop->executor_.emplace(std::move(executor));
-    TRY(loop->world_, scene::loadScene(options.scene));
+    TRY(loop->world_, openWorld(options));
     loop->renderer_.emplace(*loop->executor_);
     TRY_VOID(loop->follow());
     TRY(loop->request.camera, chooseCamera(loop->snapshot_, options.camera));
@@ -59,9 +62,10 @@ core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options,
 }
 
 core::Result<void> FrameLoop::follow() {
-    scene::updateWorldTransforms(world_, seen_);
+    scene::advanceTo(world_, seconds, seen_);
     snapshot_ = scene::extract(world_, snapshot_, seen_);
     seen_ = world_.advance();
+    world_.forgetRemovals(seen_);
     return renderer_->update(snapshot_);
 }
 
@@ -82,6 +86,7 @@ core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, bool readBack,
 }
 
 core::Result<LoopFrame> FrameLoop::draw(uint64_t frameNumber, bool readBack) {
+    seconds = startSeconds_ + static_cast<double>(frameNumber) * timestep_;
     TRY_VOID(follow());
     const accel::AccelCounts counts = renderer_->accel().counts();
     shared::FrameCounters last{};

@@ -31,18 +31,22 @@ class FrameLoop {
     static core::Result<std::unique_ptr<FrameLoop>> open(const Options& options,
                                                          bool presentable = false);
 
-    /// Draws one frame, and again where a buffer was too small, until it is whole. An image is
-    /// read back where `readBack` is true: the one that --output-node names.
+    /// Draws one frame at its time (--time and --timestep), and again where a buffer was too small,
+    /// until it is whole. An image is read back where `readBack` is true: the one that
+    /// --output-node names.
     core::Result<LoopFrame> draw(uint64_t frameNumber, bool readBack = false);
     /// One try of draw(): `outcome.report.valid` tells whether it is whole.
     /// `addNodes` may add to the frame; it is given the finished radiance.
     core::Result<LoopFrame> tryDraw(uint64_t frameNumber, bool readBack = false,
                                     const AddNodes& addNodes = {});
-    /// Brings what changed in the world to the renderer. draw() does so itself.
+    /// Brings the world to `seconds`, and what changed in it to the renderer. draw() does so
+    /// itself.
     core::Result<void> follow();
 
     /// What the next frames are drawn with.
     photon_gi::FrameRequest request;
+    /// The world's time as of the next follow().
+    double seconds = 0.0;
 
     [[nodiscard]] gpu::Device& device() { return *device_; }
     [[nodiscard]] execute::Executor& executor() { return *executor_; }
@@ -59,6 +63,8 @@ class FrameLoop {
     ecs::World world_;
     scene::SceneSnapshot snapshot_;
     ecs::Tick seen_ = 0;
+    double startSeconds_ = 0.0;
+    double timestep_ = 0.0;
 };
 
 }  // namespace lampyris::sandbox

@@ -11,10 +11,10 @@
 #include "core/file.h"
 #include "core/image_io.h"
 #include "core/log.h"
+#include "open_world.h"
 #include "options.h"
 #include "progress.h"
 #include "scene/extract.h"
-#include "scene/load.h"
 
 namespace lampyris::sandbox {
 namespace {
@@ -92,7 +92,7 @@ core::Result<void> writeFiles(const ReferenceOptions& o, const reference::Render
 
 core::Result<void> render(const ReferenceOptions& o) {
     TRY_VOID(checkAsked(o));
-    TRY(const ecs::World world, scene::loadScene(o.scene));
+    TRY(const ecs::World world, openWorld(o));
     const scene::SceneSnapshot snapshot = scene::extract(world, {}, 0);
     TRY(const scene::SnapshotCamera camera, chooseCamera(snapshot, o.camera));
     const auto trace = [&] {

@@ -3,14 +3,17 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/ids.h"
+#include "ecs/entity.h"
 #include "math/glm.h"
 
 namespace lampyris::scene {
 
 using MeshId = core::Id<struct MeshTag>;          ///< a mesh of the world's Library
 using MaterialId = core::Id<struct MaterialTag>;  ///< a material of the world's Library
+using ClipId = core::Id<struct ClipTag>;          ///< an animation of the world's Library
 
 struct Name {
     std::string value;
@@ -37,6 +40,28 @@ struct WorldTransform {
 struct MeshInstance {
     MeshId mesh;
     MaterialId material;
+};
+
+/// Weights of the mesh's morph targets. Those that are missing count as 0; what is too many, not.
+/// An entity that has it is deformed: it has vertices, and a BVH, of its own.
+struct MorphWeights {
+    std::vector<float> values;
+};
+
+/// Joints that the mesh's vertices follow, whatever becomes of the entity's own Transform. An
+/// entity that has it is deformed.
+struct Skin {
+    std::vector<ecs::Entity> joints;             ///< by the joint numbers of the mesh's vertices
+    std::vector<glm::mat4> inverseBindMatrices;  ///< as many: mesh space at rest to joint space
+};
+
+/// Plays a clip: sets Transform and MorphWeights of its targets from the world's FrameTime.
+struct AnimationPlayer {
+    ClipId clip;                       ///< invalid: plays nothing
+    std::vector<ecs::Entity> targets;  ///< by the node numbers of the clip's channels
+    double startSeconds = 0.0;         ///< of FrameTime, where the clip's second 0 is
+    double speed = 1.0;                ///< clip seconds a second; may be negative
+    bool loops = false;                ///< otherwise it holds its ends
 };
 
 /// A glowing sphere at the entity's origin. It neither blocks nor reflects light.

@@ -29,6 +29,11 @@ int32_t Library::addImage(assets::TextureImage image) {
     return static_cast<int32_t>(images_.size() - 1);
 }
 
+ClipId Library::addClip(assets::Animation clip) {
+    clips_.push_back(std::make_shared<const assets::Animation>(std::move(clip)));
+    return {static_cast<uint32_t>(clips_.size() - 1)};
+}
+
 void Library::replaceMesh(MeshId id, assets::Mesh mesh) {
     CHECK(id.value < meshes_.size());
     meshes_[id.value] = {std::make_shared<const assets::Mesh>(std::move(mesh)), ++lastVersion_};

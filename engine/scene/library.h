@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "assets/animation.h"
 #include "assets/material.h"
 #include "assets/mesh.h"
 #include "scene/components.h"
@@ -30,6 +31,7 @@ class Library {
     MeshId addMesh(assets::Mesh mesh);
     MaterialId addMaterial(assets::Material material);
     int32_t addImage(assets::TextureImage image);
+    ClipId addClip(assets::Animation clip);
     /// Puts other contents under an id; what shows it is told by version.
     void replaceMesh(MeshId id, assets::Mesh mesh);
     void replaceMaterial(MaterialId id, assets::Material material);
@@ -41,11 +43,16 @@ class Library {
     [[nodiscard]] const std::vector<Versioned<assets::TextureImage>>& images() const {
         return images_;
     }
+    /// In the order of the file; an AnimationPlayer names one.
+    [[nodiscard]] const std::vector<std::shared_ptr<const assets::Animation>>& clips() const {
+        return clips_;
+    }
 
  private:
     std::vector<Versioned<assets::Mesh>> meshes_;
     std::vector<Versioned<assets::Material>> materials_;
     std::vector<Versioned<assets::TextureImage>> images_;
+    std::vector<std::shared_ptr<const assets::Animation>> clips_;
     uint64_t lastVersion_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #include "ecs/entity.h"
 #include "math/bounds.h"
 #include "scene/library.h"
+#include "scene/pose.h"
 
 namespace lampyris::scene {
 
@@ -20,7 +21,9 @@ struct SnapshotInstance {
     uint32_t material = 0;  ///< into SceneSnapshot::materials
     glm::mat4 objectToWorld{1.0f};
     uint64_t version = 0;
-    math::Bounds boundsWorld{};  ///< around the transformed box of the mesh
+    math::Bounds boundsWorld{};          ///< around the transformed box of the mesh, as posed
+    std::shared_ptr<const Pose> pose{};  ///< null: the mesh at rest, shared with other instances
+    uint64_t poseVersion = 0;            ///< equal versions of an entity mean equal pose and mesh
 };
 
 struct SnapshotLight {

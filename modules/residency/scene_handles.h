@@ -3,7 +3,9 @@
 
 #include <cstdint>
 
+#include "ecs/entity.h"
 #include "graph/frame.h"
+#include "math/glm.h"
 
 namespace lampyris::residency {
 
@@ -15,13 +17,14 @@ struct SceneHandles {
     graph::Buffer emitters;          ///< shared::GpuEmitter
     graph::Buffer emitterTriangles;  ///< RGBA32Float texels, EMITTER_TEXELS a triangle
     graph::Buffer indices;    ///< uint32, also texels R32Uint; relative to the mesh's first vertex
-    graph::Buffer positions;  ///< 3 floats a vertex, object space
-    graph::Buffer normals;    ///< 3 floats a vertex
-    graph::Buffer tangents;   ///< 4 floats a vertex, where a mesh has them
-    graph::Buffer texcoords;  ///< 4 floats a vertex: both sets, where a mesh has them
-    graph::Buffer colours;    ///< 4 floats a vertex, where a mesh has them
-    graph::Image colourTextures;  ///< 2D array, RGBA8Srgb
-    graph::Image dataTextures;    ///< 2D array, RGBA8Unorm
+    graph::Buffer positions;  ///< 3 floats a vertex, object space, as posed in this frame
+    graph::Buffer normals;    ///< 3 floats a vertex, as posed
+    graph::Buffer positionsBefore;  ///< of posed instances, as they were in the frame before
+    graph::Buffer tangents;         ///< 4 floats a vertex, where a mesh has them
+    graph::Buffer texcoords;        ///< 4 floats a vertex: both sets, where a mesh has them
+    graph::Buffer colours;          ///< 4 floats a vertex, where a mesh has them
+    graph::Image colourTextures;    ///< 2D array, RGBA8Srgb
+    graph::Image dataTextures;      ///< 2D array, RGBA8Unorm
     uint32_t instanceCount = 0;
     uint32_t materialCount = 0;
     uint32_t lightCount = 0;
@@ -50,6 +53,21 @@ struct DrawItem {
     bool hasTexcoords = false;
     bool hasColours = false;
     bool textured = false;  ///< its material has a texture
+    // What moved since the frame before: places or vertices. A new instance has not moved.
+    bool moved = false;
+    glm::mat4 objectToWorldBefore{1.0f};
+    bool posed = false;                      ///< it has vertices of its own
+    uint64_t positionBeforeOffsetBytes = 0;  ///< posed: into SceneHandles::positionsBefore
+};
+
+/// A deformed instance of the last snapshot: its vertices are its own.
+struct PosedInstance {
+    uint32_t instance = 0;     ///< into the snapshot's instances
+    ecs::Entity entity;        ///< tells it from frame to frame
+    uint64_t meshVersion = 0;  ///< its triangles
+    uint64_t poseVersion = 0;  ///< of its vertices in this frame
+    uint32_t firstVertex = 0;  ///< of its range in positions and normals
+    uint32_t firstIndex = 0;   ///< of its mesh in indices, whose numbers count from firstVertex
 };
 
 /// Binds what lib/scene_material.glsl reads: instances, materials, indices, texcoords, colours and

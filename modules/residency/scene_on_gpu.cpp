@@ -38,6 +38,7 @@ struct SceneOnGpu::Parts {
     std::vector<uint64_t> emitterSignature{~uint64_t{0}};  ///< of no scene: the first update builds
     std::vector<shared::GpuEmitter> emitterEntries;
     std::vector<DrawItem> draws;
+    std::vector<PosedInstance> posed;
     UploadCounts uploaded;
     SceneHandles counts;  ///< only the numbers
     uint64_t geometryVersion = ~uint64_t{0};
@@ -197,6 +198,9 @@ SceneHandles SceneOnGpu::import(graph::Frame& frame) {
 
 const std::vector<DrawItem>& SceneOnGpu::draws() const {
     return parts_->draws;
+}
+const std::vector<PosedInstance>& SceneOnGpu::posed() const {
+    return parts_->posed;
 }
 const std::vector<shared::GpuEmitter>& SceneOnGpu::emitters() const {
     return parts_->emitterEntries;

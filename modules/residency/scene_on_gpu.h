@@ -51,6 +51,8 @@ class SceneOnGpu {
 
     /// What raster nodes draw, in the order of the instances.
     [[nodiscard]] const std::vector<DrawItem>& draws() const;
+    /// Deformed instances, in the order of the instances.
+    [[nodiscard]] const std::vector<PosedInstance>& posed() const;
     /// The emissive instances as the device has them, in the order of SceneHandles::emitters.
     [[nodiscard]] const std::vector<shared::GpuEmitter>& emitters() const;
     [[nodiscard]] uint32_t lightCount() const;
