@@ -32,7 +32,7 @@ JoinedIrradiance addGridGather(graph::Frame& f, const FrameInputs& in, const Set
     }
     const GatherWorld world{in.scene, in.accel, photons::finishGrid(f, cells, in.scene, in.accel)};
     const auto rough = addFinalGather(f, surface, world, gather);
-    const auto mean = addFinalHistory(f, surface, rough.coarse, in.past, historyFrames(s), gather);
+    const auto mean = addFinalHistory(f, surface, rough.coarse, {}, in.past, historyFrames(s), gather);
     const auto smooth = addFinalFilter(f, surface, mean, gather);
     const auto joined = addFinalUpsample(f, surface, world, smooth, cells.counters, gather);
     if (guided(s) && photons.pathCount == in.paths.paths)

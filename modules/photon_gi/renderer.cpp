@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <span>
+#include <utility>
 
 #include "core/check.h"
 
@@ -68,8 +69,8 @@ core::Result<void> Renderer::update(const scene::SceneSnapshot& snapshot) {
     TRY_VOID(scene_.update(snapshot));
     TRY_VOID(accel_.update(snapshot));
     emitters_ = photons::listEmitters(snapshot.lights, scene_.emitters());
-    // Sums of counters that only grow: any change is a change of the sum.
-    sceneVersion_ = 1 + snapshot.geometryVersion + snapshot.materialVersion + snapshot.lightVersion;
+    scene::add(changes_, scene::changesBetween(snapshot_, snapshot));
+    snapshot_ = snapshot;
     return {};
 }
 
@@ -97,11 +98,15 @@ Past Renderer::recall(const shared::View& view, const Settings& settings) {
     Past past;
     past.known =
         executor_->history().known(kHistoryMean, historyMean(view, settings.gatherDivisor));
-    past.same = drawn_.sceneVersion == sceneVersion_ && drawn_.settings == settings;
+    past.same = drawn_.whole && drawn_.settings == settings;
     past.worldToClip = drawn_.worldToClip;
+    framesSinceChange_ = changes_.none() ? framesSinceChange_ + 1 : 0;
+    past.doubted = framesSinceChange_ <= settings.history;
+    past.changes = std::exchange(changes_, {});
+    past.lights = snapshot_.lights;
     const bool keeps = finalGathers(settings) && settings.history > 0 && settings.maxBounces > 0 &&
                        split_.paths > 0;
-    drawn_ = {keeps ? sceneVersion_ : 0, settings, view.worldToClip};
+    drawn_ = {keeps, settings, view.worldToClip};
     return past;
 }
 
@@ -183,7 +188,7 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
     TRY(const bool lacking, grow(outcome.report.counters));
     outcome.report.valid = !lacking;
     if (!outcome.report.valid)
-        drawn_.sceneVersion = 0;  // its light is not all there
+        drawn_.whole = false;  // its light is not all there
     else if (!importance.empty())
         guide_.learn(split_, importance);
     return outcome;

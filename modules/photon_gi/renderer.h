@@ -78,12 +78,14 @@ class Renderer {
     photons::PathSplit split_;
     /// What the last frame's mean was made from.
     struct Drawn {
-        uint64_t sceneVersion = 0;  ///< 0: there is none
+        bool whole = false;  ///< there is one, and its light was all there
         Settings settings;
         glm::mat4 worldToClip{1.0f};
     };
     Drawn drawn_;
-    uint64_t sceneVersion_ = 0;            ///< of the last update()
+    scene::SceneSnapshot snapshot_;        ///< of the last update()
+    scene::SceneChanges changes_;          ///< since the last declared frame
+    uint32_t framesSinceChange_ = 0;
     uint32_t largestBatch_ = 0xffffffffu;  ///< paths; halved while a batch's pairs do not fit
     uint32_t lastBatch_ = 0;               ///< the largest of the last frame
     uint32_t mostPairs_ = 0;               ///< that one batch may have at this size

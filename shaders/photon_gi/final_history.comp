@@ -1,9 +1,12 @@
 // The mean of the last frames' light at each texel's place, found where that place was seen in the frame before.  [F4]
+// The mean is shorter where the scene says that light may have changed [H1], and gives way where the newest light is not
+// what the frames before led to expect [H2].
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/coarse_light.glsl"
 #include "lib/gather_grid.glsl"
 #include "lib/joint_weight.glsl"
+#include "lib/scene_change.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform usampler2D coarse;
@@ -12,14 +15,31 @@ layout(set = 0, binding = SLOT_HISTORY_PARAMS, std140) uniform HistoryBlock { Hi
 layout(set = 0, binding = SLOT_HISTORY_BEFORE) uniform sampler2D meanBefore;    // irradiance, frames in the mean
 layout(set = 0, binding = SLOT_HISTORY_SLOPE_BEFORE) uniform sampler2D slopeBefore;
 layout(set = 0, binding = SLOT_HISTORY_GUIDE_BEFORE) uniform usampler2D guideBefore;
-layout(set = 0, binding = SLOT_FINAL_COARSE, rgba32ui) uniform writeonly uimage2D mean;
+layout(set = 0, binding = SLOT_FINAL_COARSE, rgba32ui) uniform writeonly uimage2D meanShown;
 // Floats: the steps of a long mean are smaller than a half's roundings.
 layout(set = 0, binding = SLOT_HISTORY_MEAN, rgba32f) uniform writeonly image2D meanKept;
 layout(set = 0, binding = SLOT_HISTORY_SLOPE, rgba32f) uniform writeonly image2D slopeKept;
 layout(set = 0, binding = SLOT_FINAL_GUIDE, rgba32ui) uniform writeonly uimage2D guideKept;
+layout(set = 0, binding = SLOT_HISTORY_MOMENTS_BEFORE) uniform sampler2D momentsBefore;
+layout(set = 0, binding = SLOT_HISTORY_MOMENTS, rgba32f) uniform writeonly image2D momentsKept;
+#ifdef MOVING
+layout(set = 0, binding = SLOT_HISTORY_MOTION) uniform sampler2D motion;
+#endif
 
 // [chosen] Of the weight that texels on the same plane would have.
 const float kLeastWeight = 0.05;
+// [chosen] Share of the light by which a mean may lag behind a change that goes on.
+const float kMostLag = 0.15;
+// [chosen] Newest light this far from what was expected is no chance.
+const float kDeviations = 4.0;
+const float kLeastDeviation = 0.02;
+// [chosen] Frames before a spread is known.
+const float kFramesToJudge = 6.0;
+
+struct Remembered {
+    CoarseLight light;
+    vec2 moments;
+};
 
 // Where a pixel lies between texels; the last representatives stand nearer, at the image's edge.
 vec2 texelCoordinate(vec2 pixel) {
@@ -32,10 +52,11 @@ vec2 texelCoordinate(vec2 pixel) {
 }
 
 // The mean at a place of the world, as the frame before left it; no frames where it did not see it.
-CoarseLight rememberedAt(Place place) {
+Remembered rememberedAt(Place place) {
     CoarseLight sum = CoarseLight(vec3(0.0), vec3(0.0), 0.0);
+    vec2 moments = vec2(0.0);
     vec4 clip = past.worldToClipBefore * vec4(place.position, 1.0);
-    if (clip.w <= 0.0) return sum;
+    if (clip.w <= 0.0) return Remembered(sum, moments);
     vec2 pixel = (clip.xy / clip.w * 0.5 + 0.5) * vec2(view.width, view.height);
     vec2 at = texelCoordinate(pixel);
     vec2 f = fract(at);
@@ -56,12 +77,36 @@ CoarseLight rememberedAt(Place place) {
             CoarseLight(irradianceFrames.rgb, texelFetch(slopeBefore, texel, 0).xyz, irradianceFrames.a);
         addLeaning(sum, light, place.normal, weight);
         sum.frames += weight * light.frames;
+        moments += weight * texelFetch(momentsBefore, texel, 0).rg;
         total += weight;
     }
     float scale = total >= kLeastWeight ? 1.0 / total : 0.0;
     CoarseLight light = settled(sum, place.normal, scale);
     light.frames = scale * sum.frames;
-    return light;
+    return Remembered(light, scale * moments);
+}
+
+float mean(vec3 rgb) { return dot(rgb, vec3(1.0 / 3.0)); }
+
+// Of the newest light on the surface around a texel: less noise, the same change.
+vec3 newestAround(ivec2 texel, Place own) {
+    ivec2 size = ivec2(params.coarseWidth, params.coarseHeight);
+    float spacing = pixelFootprint(-(view.worldToView * vec4(own.position, 1.0)).z) * float(2u * params.divisor);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 9; ++i) {
+        ivec2 at = clamp(texel + 2 * ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), size - 1);
+        float weight = jointWeight(own.position, own.normal, placeOf(texelFetch(guide, at, 0)), spacing);
+        if (i == 4) weight = 1.0;
+        sum += weight * vec4(unpackLight(texelFetch(coarse, at, 0)).irradiance, 1.0);
+    }
+    return sum.rgb / sum.a;
+}
+
+// How much of what is remembered must give way.                                                                     [H2]
+float disagreement(vec2 moments, float newest) {
+    float deviation = sqrt(max(moments.y - moments.x * moments.x, 0.0));
+    float limit = kDeviations * deviation + kLeastDeviation * moments.x;
+    return clamp(1.0 - limit / max(abs(newest - moments.x), 1e-30), 0.0, 1.0);
 }
 
 void main() {
@@ -70,13 +115,32 @@ void main() {
     uvec4 own = texelFetch(guide, texel, 0);
     imageStore(guideKept, texel, own);
     CoarseLight light = unpackLight(texelFetch(coarse, texel, 0));
+    Place place = placeOf(own);
+    vec3 around = newestAround(texel, place);
+    vec2 moments = vec2(mean(around), mean(around) * mean(around));
     if (past.mostFrames > 0u) {
-        CoarseLight remembered = rememberedAt(placeOf(own));
-        light.frames = min(floor(remembered.frames + 0.5), float(past.mostFrames)) + 1.0;
-        light.irradiance = mix(remembered.irradiance, light.irradiance, 1.0 / light.frames);
-        light.slope = mix(remembered.slope, light.slope, 1.0 / light.frames);
+        Place before = place;
+#ifdef MOVING
+        before.position += texelFetch(motion, representative(texel), 0).xyz;
+#endif
+        Remembered remembered = rememberedAt(before);
+        float frames = min(floor(remembered.light.frames + 0.5), float(past.mostFrames));
+        float change = changeByRegions(place.position, past.regionCount);
+        if (past.lightCount > 0u) change += changeByLights(place.position, past.regionCount, past.lightCount);
+        if (change > 0.0) frames = min(frames, kMostLag / change);
+        if (past.doubted != 0u && frames >= kFramesToJudge) {
+            float given = disagreement(remembered.moments, moments.x);
+            remembered.light.irradiance = mix(remembered.light.irradiance, around, given);
+            remembered.light.slope *= 1.0 - given;
+            frames *= (1.0 - given) * (1.0 - given);
+        }
+        light.frames = frames + 1.0;
+        light.irradiance = mix(remembered.light.irradiance, light.irradiance, 1.0 / light.frames);
+        light.slope = mix(remembered.light.slope, light.slope, 1.0 / light.frames);
+        moments = mix(remembered.moments, moments, 1.0 / light.frames);
     }
-    imageStore(mean, texel, packLight(light));
+    imageStore(meanShown, texel, packLight(light));
     imageStore(meanKept, texel, vec4(light.irradiance, light.frames));
     imageStore(slopeKept, texel, vec4(light.slope, 0.0));
+    imageStore(momentsKept, texel, vec4(moments, 0.0, 0.0));
 }

@@ -33,13 +33,6 @@ LAMPYRIS_SLOT(SLOT_FINAL_COARSE_IN, 4u);    // … as it is read
 LAMPYRIS_SLOT(SLOT_FINAL_GUIDE_IN, 6u);
 LAMPYRIS_SLOT(SLOT_FINAL_LOOK_UPS, 5u);     // how often each slot of the grid was looked up by a texel's first ray
 
-LAMPYRIS_SLOT(SLOT_HISTORY_PARAMS, 0u);      // HistoryParams
-LAMPYRIS_SLOT(SLOT_HISTORY_BEFORE, 1u);      // mean irradiance, a = frames in it
-LAMPYRIS_SLOT(SLOT_HISTORY_GUIDE_BEFORE, 5u);
-LAMPYRIS_SLOT(SLOT_HISTORY_SLOPE_BEFORE, 7u);
-LAMPYRIS_SLOT(SLOT_HISTORY_MEAN, 8u);        // as it goes on to the next frame
-LAMPYRIS_SLOT(SLOT_HISTORY_SLOPE, 9u);
-
 LAMPYRIS_SLOT(SLOT_COMPOSITE_DIRECT, 0u);
 LAMPYRIS_SLOT(SLOT_COMPOSITE_SPECULAR, 1u);
 LAMPYRIS_SLOT(SLOT_COMPOSITE_INDIRECT, 2u);
@@ -72,12 +65,6 @@ struct GatherParams {
     uint seed;
     uint step;           // filter: texels between two taps
     uint emitterCount;   // final gather: emissive instances
-};
-
-struct HistoryParams {
-    mat4 worldToClipBefore;  // of the frame before
-    uint mostFrames;         // that may be in the mean besides the newest; 0: it begins anew
-    uint pad0, pad1, pad2;
 };
 
 LAMPYRIS_SHARED_END
