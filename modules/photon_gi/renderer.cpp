@@ -100,8 +100,9 @@ Past Renderer::recall(const shared::View& view, const Settings& settings) {
         executor_->history().known(kHistoryMean, historyMean(view, settings.gatherDivisor));
     past.same = drawn_.whole && drawn_.settings == settings;
     past.worldToClip = drawn_.worldToClip;
-    framesSinceChange_ = changes_.none() ? framesSinceChange_ + 1 : 0;
-    past.doubted = framesSinceChange_ <= settings.history;
+    if (!past.same) framesSinceChange_ = settings.history;  // nothing is remembered
+    else if (!changes_.none()) framesSinceChange_ = 0;
+    past.doubted = framesSinceChange_++ < settings.history;
     past.changes = std::exchange(changes_, {});
     past.lights = snapshot_.lights;
     const bool keeps = finalGathers(settings) && settings.history > 0 && settings.maxBounces > 0 &&

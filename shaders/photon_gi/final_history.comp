@@ -30,15 +30,16 @@ layout(set = 0, binding = SLOT_HISTORY_MOTION) uniform sampler2D motion;
 const float kLeastWeight = 0.05;
 // [chosen] Share of the light by which a mean may lag behind a change that goes on.
 const float kMostLag = 0.15;
-// [chosen] Newest light this far from what was expected is no chance.
+// [chosen] The last frames' light, this far from what was expected, is no chance.
 const float kDeviations = 4.0;
+const float kNewest = 0.25;  // a frame's weight in the last frames' light: its spread is √(1/7) of a frame's
 const float kLeastDeviation = 0.02;
 // [chosen] Frames before a spread is known.
 const float kFramesToJudge = 6.0;
 
 struct Remembered {
     CoarseLight light;
-    vec2 moments;
+    vec3 moments;  // of the newest light around: mean, mean square, mean of the last frames
 };
 
 // Where a pixel lies between texels; the last representatives stand nearer, at the image's edge.
@@ -54,7 +55,7 @@ vec2 texelCoordinate(vec2 pixel) {
 // The mean at a place of the world, as the frame before left it; no frames where it did not see it.
 Remembered rememberedAt(Place place) {
     CoarseLight sum = CoarseLight(vec3(0.0), vec3(0.0), 0.0);
-    vec2 moments = vec2(0.0);
+    vec3 moments = vec3(0.0);
     vec4 clip = past.worldToClipBefore * vec4(place.position, 1.0);
     if (clip.w <= 0.0) return Remembered(sum, moments);
     vec2 pixel = (clip.xy / clip.w * 0.5 + 0.5) * vec2(view.width, view.height);
@@ -77,7 +78,7 @@ Remembered rememberedAt(Place place) {
             CoarseLight(irradianceFrames.rgb, texelFetch(slopeBefore, texel, 0).xyz, irradianceFrames.a);
         addLeaning(sum, light, place.normal, weight);
         sum.frames += weight * light.frames;
-        moments += weight * texelFetch(momentsBefore, texel, 0).rg;
+        moments += weight * texelFetch(momentsBefore, texel, 0).rgb;
         total += weight;
     }
     float scale = total >= kLeastWeight ? 1.0 / total : 0.0;
@@ -88,8 +89,8 @@ Remembered rememberedAt(Place place) {
 
 float mean(vec3 rgb) { return dot(rgb, vec3(1.0 / 3.0)); }
 
-// Of the newest light on the surface around a texel: less noise, the same change.
-vec3 newestAround(ivec2 texel, Place own) {
+// Mean of the newest light on the surface around a texel: less noise, the same change.
+float newestAround(ivec2 texel, Place own) {
     ivec2 size = ivec2(params.coarseWidth, params.coarseHeight);
     float spacing = pixelFootprint(-(view.worldToView * vec4(own.position, 1.0)).z) * float(2u * params.divisor);
     vec4 sum = vec4(0.0);
@@ -99,14 +100,14 @@ vec3 newestAround(ivec2 texel, Place own) {
         if (i == 4) weight = 1.0;
         sum += weight * vec4(unpackLight(texelFetch(coarse, at, 0)).irradiance, 1.0);
     }
-    return sum.rgb / sum.a;
+    return mean(sum.rgb) / sum.a;
 }
 
-// How much of what is remembered must give way.                                                                     [H2]
-float disagreement(vec2 moments, float newest) {
-    float deviation = sqrt(max(moments.y - moments.x * moments.x, 0.0));
+// How much of what is remembered must give way to what the last frames saw.                                        [H2]
+float disagreement(vec3 moments) {
+    float deviation = sqrt(max(moments.y - moments.x * moments.x, 0.0) * kNewest / (2.0 - kNewest));
     float limit = kDeviations * deviation + kLeastDeviation * moments.x;
-    return clamp(1.0 - limit / max(abs(newest - moments.x), 1e-30), 0.0, 1.0);
+    return clamp(1.0 - limit / max(abs(moments.z - moments.x), 1e-30), 0.0, 1.0);
 }
 
 void main() {
@@ -116,8 +117,8 @@ void main() {
     imageStore(guideKept, texel, own);
     CoarseLight light = unpackLight(texelFetch(coarse, texel, 0));
     Place place = placeOf(own);
-    vec3 around = newestAround(texel, place);
-    vec2 moments = vec2(mean(around), mean(around) * mean(around));
+    float seen = newestAround(texel, place);
+    vec3 moments = vec3(seen, seen * seen, seen);
     if (past.mostFrames > 0u) {
         Place before = place;
 #ifdef MOVING
@@ -128,19 +129,23 @@ void main() {
         float change = changeByRegions(place.position, past.regionCount);
         if (past.lightCount > 0u) change += changeByLights(place.position, past.regionCount, past.lightCount);
         if (change > 0.0) frames = min(frames, kMostLag / change);
+        if (frames > 0.0) moments.z = mix(remembered.moments.z, seen, max(kNewest, 1.0 / (frames + 1.0)));
         if (past.doubted != 0u && frames >= kFramesToJudge) {
-            float given = disagreement(remembered.moments, moments.x);
-            remembered.light.irradiance = mix(remembered.light.irradiance, around, given);
-            remembered.light.slope *= 1.0 - given;
+            remembered.moments.z = moments.z;
+            float given = disagreement(remembered.moments);
+            float scale = mix(1.0, moments.z / max(remembered.moments.x, 1e-30), given);
+            remembered.light.irradiance *= scale;
+            remembered.light.slope *= scale;
+            remembered.moments.xy *= vec2(scale, scale * scale);
             frames *= (1.0 - given) * (1.0 - given);
         }
         light.frames = frames + 1.0;
         light.irradiance = mix(remembered.light.irradiance, light.irradiance, 1.0 / light.frames);
         light.slope = mix(remembered.light.slope, light.slope, 1.0 / light.frames);
-        moments = mix(remembered.moments, moments, 1.0 / light.frames);
+        moments.xy = mix(remembered.moments.xy, moments.xy, 1.0 / light.frames);
     }
     imageStore(meanShown, texel, packLight(light));
     imageStore(meanKept, texel, vec4(light.irradiance, light.frames));
     imageStore(slopeKept, texel, vec4(light.slope, 0.0));
-    imageStore(momentsKept, texel, vec4(moments, 0.0, 0.0));
+    imageStore(momentsKept, texel, vec4(moments, 0.0));
 }
