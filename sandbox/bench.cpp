@@ -123,6 +123,7 @@ void addBench(CLI::App& program, Command& called) {
     app->add_flag("--quick", call->quick, "smaller and fewer: minutes");
     addFrameOptions(*app, call->options);
     call->options.display.exposureEv = -1.0f;  // at which cornell is shown well
+    call->options.retrace = photon_gi::Retrace::All;  // what is kept costs nothing to measure
     addCameraOptions(*app, call->options);
     addDisplayOptions(*app, call->options.display);
     app->add_option("--scene", call->scene, "in place of the scene of a Thesis' table (cornell)")

@@ -47,6 +47,7 @@ core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options,
     loop->request.size = sizeOf(options);
     loop->request.settings = settingsOf(options);
     loop->outputNode_ = options.outputNode;
+    loop->request.finalAlone = options.outputNode == "final";
     loop->seconds = options.time;
     loop->startSeconds_ = options.time;
     loop->timestep_ = options.timestep.value_or(0.0);

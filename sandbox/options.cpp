@@ -23,6 +23,8 @@ const std::map<std::string, Pipeline> kPipelines{
 const std::map<std::string, Quality> kQualities{{"fast", Quality::Fast}, {"fine", Quality::Fine}};
 const std::map<std::string, core::Tonemap> kTonemaps{{"clip", core::Tonemap::Clip},
                                                      {"filmic", core::Tonemap::Filmic}};
+const std::map<std::string, photon_gi::Retrace> kRetraces{{"auto", photon_gi::Retrace::Auto},
+                                                          {"all", photon_gi::Retrace::All}};
 const std::map<std::string, photon_gi::Gather> kGathers{{"tiles", photon_gi::Gather::Tiles},
                                                         {"final", photon_gi::Gather::Final}};
 const std::map<std::string, bool> kSwitch{{"on", true}, {"off", false}};
@@ -141,9 +143,8 @@ void addFrameOptions(CLI::App& app, Options& o) {
     addChoice(app, "--guiding", o.guiding, kSwitch,
               "final gather: send photons where earlier frames looked them up (on)");
     addChoice(app, "--reseed", o.reseed, kSwitch, "draw a frame's paths anew every frame (on)");
-    app.add_option("--retrace", o.retrace, "whether paths that cannot have changed are kept (auto)")
-        ->type_name("auto|all")
-        ->check(CLI::IsMember({"auto", "all"}));
+    addChoice(app, "--retrace", o.retrace, kRetraces,
+              "full's final gather: keep what cannot have changed since the frame before (auto)");
     app.add_option("--light-cutoff", o.lightCutoff,
                    "share of the mean direct irradiance under which a light's reach ends (0.001)")
         ->check(finite(0.0, 1e6));
@@ -202,6 +203,7 @@ photon_gi::Settings settingsOf(const Options& o) {
     s.lightCutoff = o.lightCutoff;
     s.seed = o.seed;
     s.reseed = o.reseed;
+    s.retrace = o.retrace.value_or(photon_gi::Retrace::Auto);
     s.guiding = o.guiding.value_or(true);
     return s;
 }
@@ -218,6 +220,10 @@ const char* name(Pipeline pipeline) {
 
 const char* name(photon_gi::Gather gather) {
     return gather == photon_gi::Gather::Final ? "final" : "tiles";
+}
+
+const char* name(photon_gi::Retrace retrace) {
+    return retrace == photon_gi::Retrace::Auto ? "auto" : "all";
 }
 
 const char* name(Quality quality) {

@@ -31,7 +31,7 @@ struct Options {
     std::optional<uint32_t> history;
     std::optional<bool> guiding;
     bool reseed = true;
-    std::string retrace = "auto";
+    std::optional<photon_gi::Retrace> retrace;
     float lightCutoff = 0.001f;
     std::string camera;
     double time = 0.0;               ///< seconds
@@ -71,6 +71,7 @@ core::Result<void> checkOutputs(const Options& options);
 [[nodiscard]] graph::Extent sizeOf(const Options& options);
 
 [[nodiscard]] const char* name(photon_gi::Pipeline pipeline);
+[[nodiscard]] const char* name(photon_gi::Retrace retrace);
 [[nodiscard]] const char* name(Quality quality);
 [[nodiscard]] const char* name(photon_gi::Gather gather);
 

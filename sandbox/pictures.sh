@@ -46,7 +46,7 @@ reference() {
 frame() {
     local scene=$1 exposure=$2 file=$made/$1_$3
     echo "$scene: $3"
-    "$program" render "$scene" -o "$file.png" --report "$file.json" --size "$size" --quality fast \
+    "$program" render "$scene" -o "$file.png" --report "$file.json" --size "$size" --quality fast --retrace all \
         --exposure "$exposure" "${@:4}" || exit 1
     "$program" compare "$file.png" "$cache/$scene/final.exr" --exposure "$exposure" >"$file.txt" || exit 1
 }

@@ -30,7 +30,7 @@ Json photonsJson(const photon_gi::FrameReport& r) {
         {"paths", r.paths},
         {"stored", r.counters.photonsStored},
         {"dropped", r.counters.photonsDropped},
-        {"retraced", r.paths},  // nothing is kept from frame to frame: every path is traced anew
+        {"retraced", r.retraced},
         {"emitted_watts", toJson(r.energy.emitted)},
         {"absorbed_watts", toJson(r.energy.absorbed)},
         {"escaped_watts", toJson(r.energy.escaped)},
@@ -65,7 +65,7 @@ Json settingsJson(const Options& o) {
             {"history", s.history},
             {"reseed", s.reseed},
             {"guiding", guided(s)},
-            {"retrace", o.retrace},
+            {"retrace", name(s.retrace)},
             {"light_cutoff", s.lightCutoff},
             {"seed", s.seed},
             {"camera", o.camera},

@@ -19,5 +19,5 @@ for scene in cornell "$root"/sandbox/scenes/*.gltf; do
     echo
     echo "$name → out/$name.png, out/$name.json"
     "$program" render "$scene" -o "$root/out/$name.png" --report "$root/out/$name.json" \
-        --size 640x360 --warmup 2 --frames 5 --table || exit 1
+        --size 640x360 --retrace all --warmup 2 --frames 5 --table || exit 1
 done

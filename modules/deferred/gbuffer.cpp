@@ -56,24 +56,38 @@ void drawItem(graph::RasterCommands& commands, const residency::SceneHandles& sc
     commands.draw(draw);
 }
 
+/// All images of a surface, by name and format.
+template <typename ImageOf>
+Surface surfaceOf(const shared::View& view, const ImageOf& imageOf) {
+    return {.depth = imageOf("depth buffer", graph::Format::D32Float),
+            .normal = imageOf("packed normal", graph::Format::R32Uint),
+            .albedo = imageOf("albedo and roughness", graph::Format::RGBA16Float),
+            .specular = imageOf("reflectance", graph::Format::RGBA8Unorm),
+            .emission = imageOf("packed emission", graph::Format::R32Uint),
+            .view = view};
+}
+
 }  // namespace
+
+Surface recallGBuffer(graph::Frame& frame, const shared::View& view) {
+    return surfaceOf(view, [&](const char* name, graph::Format format) {
+        return kept(frame, name, {format, {view.width, view.height}});
+    });
+}
 
 Surface addGBuffer(graph::Frame& frame, const shared::View& view,
                    const residency::SceneHandles& scene,
-                   const std::vector<residency::DrawItem>& draws) {
+                   const std::vector<residency::DrawItem>& draws, Keep keep) {
     const graph::Extent size{view.width, view.height};
-    Surface surface{.view = view};
+    Surface surface = surfaceOf(view, [&](const char* name, graph::Format format) {
+        return keepable(frame, keep, name, {format, size});
+    });
     auto node = frame.raster("gbuffer", size);
-    surface.depth = node.clearedDepth(frame.image("depth buffer", {graph::Format::D32Float, size}));
-    surface.normal = node.clearedColourUint(
-        shared::TARGET_NORMAL, frame.image("packed normal", {graph::Format::R32Uint, size}));
-    surface.albedo =
-        node.clearedColour(shared::TARGET_ALBEDO,
-                           frame.image("albedo and roughness", {graph::Format::RGBA16Float, size}));
-    surface.specular = node.clearedColour(
-        shared::TARGET_SPECULAR, frame.image("reflectance", {graph::Format::RGBA8Unorm, size}));
-    surface.emission = node.clearedColourUint(
-        shared::TARGET_EMISSION, frame.image("packed emission", {graph::Format::R32Uint, size}));
+    surface.depth = node.clearedDepth(surface.depth);
+    surface.normal = node.clearedColourUint(shared::TARGET_NORMAL, surface.normal);
+    surface.albedo = node.clearedColour(shared::TARGET_ALBEDO, surface.albedo);
+    surface.specular = node.clearedColour(shared::TARGET_SPECULAR, surface.specular);
+    surface.emission = node.clearedColourUint(shared::TARGET_EMISSION, surface.emission);
     node.vertices(scene.positions).vertices(scene.normals).vertices(scene.tangents);
     node.vertices(scene.texcoords).vertices(scene.colours).indices(scene.indices);
     node.read(shared::SLOT_INSTANCES, scene.instances)

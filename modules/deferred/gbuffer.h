@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "graph/frame.h"
+#include "deferred/kept.h"
 #include "residency/scene_handles.h"
 #include "shared/view.h"
 
@@ -23,7 +23,11 @@ struct Surface {
 
 [[nodiscard]] Surface addGBuffer(graph::Frame& frame, const shared::View& view,
                                  const residency::SceneHandles& scene,
-                                 const std::vector<residency::DrawItem>& draws);
+                                 const std::vector<residency::DrawItem>& draws,
+                                 Keep keep = Keep::No);
+
+/// The surface as the last frame that kept it drew it; the view must be the same.
+[[nodiscard]] Surface recallGBuffer(graph::Frame& frame, const shared::View& view);
 
 /// Binds depth and normal, and the view, where lib/surface.glsl expects them.
 void bindSurface(graph::ComputeNode& node, const Surface& surface);

@@ -15,14 +15,17 @@ void bindShading(graph::ComputeNode& node, const Surface& surface, const LightLi
         .specialise(shared::SPEC_ANY_SPECULAR, scene.anySpecular ? 1 : 0);
 }
 
-DirectLight writeLight(graph::Frame& frame, graph::ComputeNode& node, graph::Extent size) {
+constexpr const char* kIrradiance = "direct irradiance";
+constexpr const char* kSpecular = "direct specular";
+
+DirectLight writeLight(graph::Frame& frame, graph::ComputeNode& node, graph::Extent size,
+                       Keep keep) {
+    const graph::ImageDesc desc{graph::Format::RGBA16Float, size};
     DirectLight direct;
-    direct.irradiance =
-        node.write(shared::SLOT_IRRADIANCE_DIRECT,
-                   frame.image("direct irradiance", {graph::Format::RGBA16Float, size}));
+    direct.irradiance = node.write(shared::SLOT_IRRADIANCE_DIRECT,
+                                   keepable(frame, keep, kIrradiance, desc));
     direct.specular =
-        node.write(shared::SLOT_SPECULAR_DIRECT,
-                   frame.image("direct specular", {graph::Format::RGBA16Float, size}));
+        node.write(shared::SLOT_SPECULAR_DIRECT, keepable(frame, keep, kSpecular, desc));
     return direct;
 }
 
@@ -64,14 +67,19 @@ DirectLight addUnshadowedDirect(graph::Frame& frame, const Surface& surface,
     auto node = frame.compute("sphere_direct", shaders::sphereDirectUnshadowed);
     bindShading(node, surface, lights, scene);
     node.push(lights.params);
-    const DirectLight direct = writeLight(frame, node, size);
+    const DirectLight direct = writeLight(frame, node, size, Keep::No);
     node.dispatchOver(size);
     return direct;
 }
 
+DirectLight recallDirect(graph::Frame& frame, graph::Extent size) {
+    const graph::ImageDesc desc{graph::Format::RGBA16Float, size};
+    return {kept(frame, kIrradiance, desc), kept(frame, kSpecular, desc)};
+}
+
 DirectLight addSphereDirect(graph::Frame& frame, const Surface& surface, const LightLists& lights,
                             const Shadows& shadows, const residency::SceneHandles& scene,
-                            const accel::AccelHandles& accel) {
+                            const accel::AccelHandles& accel, Keep keep) {
     const graph::Extent size{surface.view.width, surface.view.height};
     auto clear = frame.transfer("shadow/clear");
     ShadowList list;
@@ -84,7 +92,7 @@ DirectLight addSphereDirect(graph::Frame& frame, const Surface& surface, const L
         .specialise(shared::SPEC_MANY_LIGHTS, shadows.params.maskWords > 1 ? 1 : 0)
         .specialise(shared::SPEC_SHADOW_PLANES, shadows.params.planes)
         .push(shadows.params);
-    DirectLight direct = writeLight(frame, node, size);
+    DirectLight direct = writeLight(frame, node, size, keep);
     const uint64_t pixels = uint64_t{size.width} * size.height;
     list.pixels = node.write(shared::SLOT_SHADOW_LIST,
                              frame.buffer("shadow pixels", {pixels * sizeof(uint32_t)}));

@@ -23,6 +23,9 @@ struct DirectLight {
 [[nodiscard]] DirectLight addSphereDirect(graph::Frame& frame, const Surface& surface,
                                           const LightLists& lights, const Shadows& shadows,
                                           const residency::SceneHandles& scene,
-                                          const accel::AccelHandles& accel);
+                                          const accel::AccelHandles& accel, Keep keep = Keep::No);
+
+/// The light as the last frame that kept it drew it, at the same size.
+[[nodiscard]] DirectLight recallDirect(graph::Frame& frame, graph::Extent size);
 
 }  // namespace lampyris::deferred

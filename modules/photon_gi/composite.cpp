@@ -9,7 +9,7 @@ namespace lampyris::photon_gi {
 graph::Image addComposite(graph::Frame& frame, const deferred::Surface& surface,
                           const deferred::DirectLight& direct, graph::Image indirect,
                           const deferred::LightLists& lights,
-                          const residency::SceneHandles& scene) {
+                          const residency::SceneHandles& scene, deferred::Keep keep) {
     const graph::Extent size{surface.view.width, surface.view.height};
     shared::GatherParams params{};
     params.lightCount = lights.params.lightCount;
@@ -24,9 +24,14 @@ graph::Image addComposite(graph::Frame& frame, const deferred::Surface& surface,
         .push(params);
     if (indirect.valid()) node.sample(shared::SLOT_COMPOSITE_INDIRECT, indirect);
     const graph::Image radiance = node.write(
-        shared::SLOT_COMPOSITE_OUT, frame.image("final", {graph::Format::RGBA16Float, size}));
+        shared::SLOT_COMPOSITE_OUT,
+        deferred::keepable(frame, keep, kFinal, {graph::Format::RGBA16Float, size}));
     node.dispatchOver(size);
     return radiance;
+}
+
+graph::Image recallFinal(graph::Frame& frame, graph::Extent size) {
+    return deferred::kept(frame, kFinal, {graph::Format::RGBA16Float, size});
 }
 
 }  // namespace lampyris::photon_gi

@@ -17,6 +17,7 @@ struct Past {
     /// A change has not left the mean of frames yet.
     bool doubted = false;
     std::vector<scene::SnapshotLight> lights;  ///< of this frame
+    bool still = false;  ///< nothing changed, the view neither: surface and direct light are kept
 };
 
 /// The image that history keeps; to be asked of execute::HistoryBook.

@@ -22,6 +22,7 @@ struct FrameInputs {
     shared::View view{};
     uint32_t seed = 1;  ///< of this frame
     Past past;
+    bool settles = false;  ///< its picture is kept, see recallFinal()
 };
 
 /// What came of it. The buffers are for reading back after the frame.
@@ -29,7 +30,7 @@ struct DrawnFrame {
     graph::Image radiance{};   ///< "final": RGBA16F
     graph::Buffer counters{};  ///< shared::FrameCounters; invalid where there is no indirect light
     std::vector<graph::Buffer> ledgers;  ///< a batch each
-    graph::Buffer lightReach{};          ///< metres a light, then the watts cut off
+    graph::Buffer lightReach{};  ///< metres a light, then the watts cut off; invalid where settled
     graph::Buffer importance{};  ///< a float a path, for PathGuide; invalid where none is guided
 };
 

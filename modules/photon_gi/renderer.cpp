@@ -9,6 +9,7 @@
 
 #include "deferred/shadow.h"
 #include "deferred/view.h"
+#include "photon_gi/composite.h"
 #include "photon_gi/tile_bin.h"
 #include "photons/irradiance_grid.h"
 #include "shared/tile_bin.h"
@@ -94,10 +95,24 @@ void Renderer::makeRoom(const FrameRequest& request) {
         std::min<uint64_t>(std::max<uint64_t>(pairGuess, room_.pairs), mostPairs_));
 }
 
+bool Renderer::sameAsDrawn(const shared::View& view, const Settings& settings) const {
+    return drawn_.whole && changes_.none() && drawn_.settings == settings &&
+           drawn_.size == graph::Extent{view.width, view.height} &&
+           drawn_.worldToClip == view.worldToClip;
+}
+
+bool Renderer::settled(const shared::View& view, const FrameRequest& request) const {
+    return request.finalAlone && keepsUnchanged(request.settings) &&
+           sameAsDrawn(view, request.settings) &&
+           stillFrames_ > historyFrames(request.settings);
+}
+
 Past Renderer::recall(const shared::View& view, const Settings& settings) {
     Past past;
     past.known =
         executor_->history().known(kHistoryMean, historyMean(view, settings.gatherDivisor));
+    past.still = keepsUnchanged(settings) && sameAsDrawn(view, settings);
+    stillFrames_ = past.still ? stillFrames_ + 1 : 0;
     past.same = drawn_.whole && drawn_.settings == settings;
     past.worldToClip = drawn_.worldToClip;
     if (!past.same) framesSinceChange_ = settings.history;  // nothing is remembered
@@ -107,20 +122,29 @@ Past Renderer::recall(const shared::View& view, const Settings& settings) {
     past.lights = snapshot_.lights;
     const bool keeps = finalGathers(settings) && settings.history > 0 && settings.maxBounces > 0 &&
                        split_.paths > 0;
-    drawn_ = {keeps, settings, view.worldToClip};
+    drawn_ = {keeps, settings, {view.width, view.height}, view.worldToClip};
     return past;
 }
 
 DrawnFrame Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
+    const shared::View view = deferred::makeView(request.camera, request.size);
+    if (settled(view, request)) {
+        DrawnFrame last;
+        last.radiance = recallFinal(frame, request.size);
+        frame.publish(kFinal, last.radiance);
+        return last;
+    }
     makeRoom(request);
     FrameInputs in;
     in.scene = residency::importScene(frame, scene_);
     in.accel = accel::importAccel(frame, accel_);
     in.draws = scene_.draws();
     in.paths = split_;
-    in.view = deferred::makeView(request.camera, request.size);
+    in.view = view;
     in.seed = frameSeed(request.settings, request.frameNumber);
     in.past = recall(in.view, request.settings);
+    in.settles = keepsUnchanged(request.settings) && request.finalAlone &&
+                 stillFrames_ > historyFrames(request.settings);
     const Settings& asked = request.settings;
     const bool shadows = asked.shadows && asked.pipeline != Pipeline::Thesis;
     shadowRays_ = shadows ? asked.shadowRays : 0;
@@ -159,7 +183,7 @@ core::Result<bool> Renderer::grow(const shared::FrameCounters& counters) {
 core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFrame& drawn,
                                               const std::string& outputNode,
                                               graph::CompileOptions options) {
-    if (shadowRays_ > 0)
+    if (shadowRays_ > 0 && drawn.lightReach.valid())
         TRY_VOID(deferred::checkShadowCounts(scene_.lightCount(), shadowRays_,
                                              scene_.device().limits().core.maxImageArrayLayers));
     execute::RunOptions runOptions;
@@ -173,7 +197,7 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
     }
     if (drawn.counters.valid()) runOptions.readBackBuffers.push_back(drawn.counters);
     if (drawn.importance.valid()) runOptions.readBackBuffers.push_back(drawn.importance);
-    runOptions.readBackBuffers.push_back(drawn.lightReach);
+    if (drawn.lightReach.valid()) runOptions.readBackBuffers.push_back(drawn.lightReach);
     runOptions.readBackBuffers.insert(runOptions.readBackBuffers.end(), drawn.ledgers.begin(),
                                       drawn.ledgers.end());
     for (const graph::Buffer buffer : runOptions.readBackBuffers) frame.output(buffer);
@@ -184,14 +208,21 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
     TRY(auto result, executor_->run(frame, outcome.graph, runOptions));
     outcome.statistics = std::move(result.statistics);
     if (!result.images.empty()) outcome.image = execute::toImage(result.images.front());
+    if (!drawn.lightReach.valid()) {
+        outcome.report = lastReport_;
+        outcome.report.retraced = 0;
+        return outcome;
+    }
     const auto importance = readReport(drawn, result.buffers, outcome.report);
     outcome.report.paths = drawn.ledgers.empty() ? 0 : split_.paths;
+    outcome.report.retraced = outcome.report.paths;
     TRY(const bool lacking, grow(outcome.report.counters));
     outcome.report.valid = !lacking;
     if (!outcome.report.valid)
         drawn_.whole = false;  // its light is not all there
     else if (!importance.empty())
         guide_.learn(split_, importance);
+    lastReport_ = outcome.report;
     return outcome;
 }
 

@@ -20,11 +20,14 @@ struct FrameRequest {
     Settings settings;
     uint64_t frameNumber = 0;
     scene::SnapshotCamera camera;
+    /// No published image but "final" will be asked for: frames may then be shown again whole.
+    bool finalAlone = false;
 };
 
 /// Measured after the frame, outside its timed range.
 struct FrameReport {
     uint32_t paths = 0;
+    uint32_t retraced = 0;  ///< of them, in this frame
     shared::FrameCounters counters{};
     photons::EnergyLedger energy;
     glm::vec3 cutOffWatts{0.0f};
@@ -65,6 +68,9 @@ class Renderer {
     void makeRoom(const FrameRequest& request);
     /// What the mean over frames may go on from.
     [[nodiscard]] Past recall(const shared::View& view, const Settings& settings);
+    /// Whether the next frame would only repeat the last.
+    [[nodiscard]] bool settled(const shared::View& view, const FrameRequest& request) const;
+    [[nodiscard]] bool sameAsDrawn(const shared::View& view, const Settings& settings) const;
     /// Gives the next frame the room that this one lacked. True where something was dropped or cut.
     /// An error where more room cannot be had.
     core::Result<bool> grow(const shared::FrameCounters& counters);
@@ -80,9 +86,12 @@ class Renderer {
     struct Drawn {
         bool whole = false;  ///< there is one, and its light was all there
         Settings settings;
+        graph::Extent size{};
         glm::mat4 worldToClip{1.0f};
     };
     Drawn drawn_;
+    uint32_t stillFrames_ = 0;  ///< in which nothing changed, nor did the view
+    FrameReport lastReport_;    ///< of a frame that was whole
     scene::SceneSnapshot snapshot_;        ///< of the last update()
     scene::SceneChanges changes_;          ///< since the last declared frame
     uint32_t framesSinceChange_ = 0;

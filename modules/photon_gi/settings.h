@@ -21,6 +21,12 @@ enum class Gather : uint8_t {
     Final,  ///< a few rays a texel into a world-space grid of the photons
 };
 
+/// What becomes of what cannot have changed since the frame before.
+enum class Retrace : uint8_t {
+    Auto,  ///< `full` keeps it
+    All,   ///< everything is traced anew in every frame
+};
+
 /// Defaults are those of the program's options.
 struct Settings {
     Pipeline pipeline = Pipeline::Full;
@@ -36,6 +42,7 @@ struct Settings {
     float lightCutoff = 0.001f;     ///< of the frame's mean direct irradiance
     uint32_t seed = 1;
     bool reseed = true;          ///< paths are drawn anew every frame
+    Retrace retrace = Retrace::Auto;
     bool guiding = true;         ///< final gather: photons go where earlier frames looked them up
     bool shadows = true;         ///< `full` and `direct`
     uint32_t shadowDivisor = 4;  ///< low resolution of the shadows, an axis
@@ -63,6 +70,11 @@ struct Capacities {
 /// Most frames in the mean: with the same paths every frame, one.
 [[nodiscard]] inline uint32_t historyFrames(const Settings& s) {
     return s.reseed ? s.history : std::min(s.history, 1u);
+}
+
+/// Whether frames go on from what earlier ones drew, beyond the mean.
+[[nodiscard]] inline bool keepsUnchanged(const Settings& s) {
+    return finalGathers(s) && s.retrace == Retrace::Auto;
 }
 
 /// The seed of a frame's random numbers.

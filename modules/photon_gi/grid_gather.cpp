@@ -1,0 +1,37 @@
+#include "photon_gi/grid_gather.h"
+
+#include "photons/path_guide.h"
+
+namespace lampyris::photon_gi {
+namespace {
+
+// [chosen] A grid cell's edge for each metre of --radius.
+constexpr float kCellsPerRadius = 0.5f;
+
+}  // namespace
+
+JoinedIrradiance addGridGather(graph::Frame& f, const FrameInputs& in, const Settings& s,
+                               const Capacities& room, const deferred::Surface& surface,
+                               DrawnFrame& out) {
+    const photons::TraceSettings trace{s.maxBounces, true, in.seed, room.photons, true};
+    const FinalGatherSettings gather{s.gatherDivisor, s.gatherRays, s.filterLevels, in.seed};
+    auto cells = photons::beginGrid(
+        f, {kCellsPerRadius * s.radiusMetres, room.gridSlots, s.gridColumns, in.seed},
+        in.paths.powerScale, clearedCounters(f));
+    photons::PhotonList photons;
+    for (const auto& batch : photons::batchPaths(in.paths, s.maxBounces, s.largestBatch)) {
+        photons = addPhotonTrace(f, in.scene, in.accel, in.paths, batch, trace, cells.counters);
+        cells = photons::addToGrid(f, cells, photons, in.scene, in.accel);
+        out.ledgers.push_back(photons.ledger);
+    }
+    const GatherWorld world{in.scene, in.accel, photons::finishGrid(f, cells, in.scene, in.accel)};
+    const auto rough = addFinalGather(f, surface, world, gather);
+    const auto mean = addFinalHistory(f, surface, rough.coarse, {}, in.past, historyFrames(s), gather);
+    const auto smooth = addFinalFilter(f, surface, mean, gather);
+    const auto joined = addFinalUpsample(f, surface, world, smooth, cells.counters, gather);
+    if (guided(s) && photons.pathCount == in.paths.paths)
+        out.importance = addPathImportance(f, photons, cells, world.grid, rough.lookUps);
+    return joined;
+}
+
+}  // namespace lampyris::photon_gi
