@@ -74,7 +74,7 @@ core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, bool readBack,
                                            const AddNodes& addNodes) {
     LoopFrame frame;
     request.frameNumber = frameNumber;
-    const photon_gi::DrawnFrame drawn = renderer_->declare(frame.declared, request);
+    TRY(const photon_gi::DrawnFrame drawn, renderer_->declare(frame.declared, request));
     frame.declared.output(drawn.radiance);
     if (addNodes) addNodes(frame.declared, drawn.radiance);
     if (!frame.declared.published(outputNode_).valid())

@@ -78,6 +78,7 @@ float instanceMoved(const SceneSnapshot& snapshot, const SnapshotInstance& befor
 
 void addRegions(const SceneSnapshot& before, const SceneSnapshot& after, SceneChanges& changes) {
     const auto whole = [&](const SnapshotInstance& instance) {
+        changes.instancesCameOrWent = true;
         if (!instance.boundsWorld.empty())
             changes.regions.push_back({instance.boundsWorld, sizeOf(instance.boundsWorld)});
     };
@@ -138,6 +139,7 @@ SceneChanges changesBetween(const SceneSnapshot& before, const SceneSnapshot& af
 void add(SceneChanges& changes, SceneChanges later) {
     changes.everything = changes.everything || later.everything;
     changes.lightsCameOrWent = changes.lightsCameOrWent || later.lightsCameOrWent;
+    changes.instancesCameOrWent = changes.instancesCameOrWent || later.instancesCameOrWent;
     changes.regions.insert(changes.regions.end(), later.regions.begin(), later.regions.end());
     changes.lights.insert(changes.lights.end(), later.lights.begin(), later.lights.end());
 }

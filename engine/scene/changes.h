@@ -23,7 +23,8 @@ struct ChangedLight {
 
 struct SceneChanges {
     bool everything = false;  ///< materials, images: nothing can be said of where
-    bool lightsCameOrWent = false;
+    bool lightsCameOrWent = false;     ///< their numbers are others
+    bool instancesCameOrWent = false;  ///< likewise
     std::vector<ChangedRegion> regions;
     std::vector<ChangedLight> lights;
 

@@ -7,7 +7,7 @@
 #include "graph/frame.h"
 #include "photon_gi/final_history.h"
 #include "photon_gi/settings.h"
-#include "photons/path_split.h"
+#include "photons/path_store.h"
 #include "residency/scene_handles.h"
 #include "shared/view.h"
 
@@ -19,6 +19,9 @@ struct FrameInputs {
     accel::AccelHandles accel;
     std::vector<residency::DrawItem> draws;
     photons::PathSplit paths;
+    bool pathsKept = false;             ///< they go through the store
+    photons::PathStoreHandles store{};  ///< where they do
+    photons::PathChoice choice;         ///< of them, to be traced
     shared::View view{};
     uint32_t seed = 1;  ///< of this frame
     Past past;

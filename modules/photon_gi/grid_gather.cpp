@@ -19,10 +19,17 @@ JoinedIrradiance addGridGather(graph::Frame& f, const FrameInputs& in, const Set
         f, {kCellsPerRadius * s.radiusMetres, room.gridSlots, s.gridColumns, in.seed},
         in.paths.powerScale, clearedCounters(f));
     photons::PhotonList photons;
-    for (const auto& batch : photons::batchPaths(in.paths, s.maxBounces, s.largestBatch)) {
-        photons = addPhotonTrace(f, in.scene, in.accel, in.paths, batch, trace, cells.counters);
+    const auto take = [&](const photons::PhotonList& batch) {
+        photons = batch;
         cells = photons::addToGrid(f, cells, photons, in.scene, in.accel);
         out.ledgers.push_back(photons.ledger);
+    };
+    if (in.pathsKept) {
+        take(photons::addPhotonTraceKept(f, in.scene, in.accel, in.paths, in.store, in.choice,
+                                         trace, cells.counters));
+    } else {
+        for (const auto& batch : photons::batchPaths(in.paths, s.maxBounces, s.largestBatch))
+            take(addPhotonTrace(f, in.scene, in.accel, in.paths, batch, trace, cells.counters));
     }
     const GatherWorld world{in.scene, in.accel, photons::finishGrid(f, cells, in.scene, in.accel)};
     const auto rough = addFinalGather(f, surface, world, gather);

@@ -64,7 +64,7 @@ uint32_t frameSeed(const Settings& settings, uint64_t frameNumber) {
 }
 
 Renderer::Renderer(execute::Executor& executor)
-    : executor_(&executor), scene_(executor.device()), accel_(scene_) {}
+    : executor_(&executor), scene_(executor.device()), accel_(scene_), keeper_(executor.device()) {}
 
 core::Result<void> Renderer::update(const scene::SceneSnapshot& snapshot) {
     TRY_VOID(scene_.update(snapshot));
@@ -75,15 +75,19 @@ core::Result<void> Renderer::update(const scene::SceneSnapshot& snapshot) {
     return {};
 }
 
-void Renderer::makeRoom(const FrameRequest& request) {
-    const Settings& s = request.settings;
-    split_ = guided(s) ? guide_.split(emitters_, s.photonPaths)
-                       : photons::splitPaths(emitters_, s.photonPaths);
-    const uint32_t batch = std::min(s.largestBatch, largestBatch_);
-    const auto batches = photons::batchPaths(split_, s.maxBounces, batch);
+core::Result<void> Renderer::makeRoom(const FrameRequest& request) {
+    Settings s = request.settings;
+    s.largestBatch = std::min(s.largestBatch, largestBatch_);
+    const auto newSplit = [&] {
+        return guided(s) ? guide_.split(emitters_, s.photonPaths)
+                         : photons::splitPaths(emitters_, s.photonPaths);
+    };
+    const PathKeeper::Now now{emitters_, snapshot_.lights, changes_, request.frameNumber};
+    TRY(plan_, keeper_.plan(s, now, newSplit));
+    const auto batches = photons::batchPaths(plan_.split, s.maxBounces, s.largestBatch);
     uint32_t largest = 0;
     for (const auto& b : batches) largest = std::max(largest, b.pathCount);
-    const uint32_t perPath = photons::photonsPerPath(split_, s.maxBounces);
+    const uint32_t perPath = photons::photonsPerPath(plan_.split, s.maxBounces);
     const uint64_t guess = uint64_t{largest} * std::min(perPath, kPhotonsPerPathGuess);
     lastBatch_ = largest;
     room_.photons = static_cast<uint32_t>(
@@ -93,6 +97,7 @@ void Renderer::makeRoom(const FrameRequest& request) {
     mostPairs_ = mostPairsBinned(request.size);
     room_.pairs = static_cast<uint32_t>(
         std::min<uint64_t>(std::max<uint64_t>(pairGuess, room_.pairs), mostPairs_));
+    return {};
 }
 
 bool Renderer::sameAsDrawn(const shared::View& view, const Settings& settings) const {
@@ -121,12 +126,12 @@ Past Renderer::recall(const shared::View& view, const Settings& settings) {
     past.changes = std::exchange(changes_, {});
     past.lights = snapshot_.lights;
     const bool keeps = finalGathers(settings) && settings.history > 0 && settings.maxBounces > 0 &&
-                       split_.paths > 0;
+                       plan_.split.paths > 0;
     drawn_ = {keeps, settings, {view.width, view.height}, view.worldToClip};
     return past;
 }
 
-DrawnFrame Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
+core::Result<DrawnFrame> Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
     const shared::View view = deferred::makeView(request.camera, request.size);
     if (settled(view, request)) {
         DrawnFrame last;
@@ -134,12 +139,15 @@ DrawnFrame Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
         frame.publish(kFinal, last.radiance);
         return last;
     }
-    makeRoom(request);
+    TRY_VOID(makeRoom(request));
     FrameInputs in;
     in.scene = residency::importScene(frame, scene_);
     in.accel = accel::importAccel(frame, accel_);
     in.draws = scene_.draws();
-    in.paths = split_;
+    in.paths = plan_.split;
+    in.pathsKept = plan_.kept;
+    if (plan_.kept) in.store = keeper_.import(frame);
+    in.choice = plan_.choice;
     in.view = view;
     in.seed = frameSeed(request.settings, request.frameNumber);
     in.past = recall(in.view, request.settings);
@@ -214,14 +222,15 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
         return outcome;
     }
     const auto importance = readReport(drawn, result.buffers, outcome.report);
-    outcome.report.paths = drawn.ledgers.empty() ? 0 : split_.paths;
-    outcome.report.retraced = outcome.report.paths;
+    outcome.report.paths = drawn.ledgers.empty() ? 0 : plan_.split.paths;
+    outcome.report.retraced =
+        plan_.kept ? outcome.report.counters.pathsRetraced : outcome.report.paths;
     TRY(const bool lacking, grow(outcome.report.counters));
     outcome.report.valid = !lacking;
     if (!outcome.report.valid)
         drawn_.whole = false;  // its light is not all there
     else if (!importance.empty())
-        guide_.learn(split_, importance);
+        guide_.learn(plan_.split, importance);
     lastReport_ = outcome.report;
     return outcome;
 }

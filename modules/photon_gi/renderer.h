@@ -8,6 +8,7 @@
 #include "execute/executor.h"
 #include "graph/compile.h"
 #include "photon_gi/frame.h"
+#include "photon_gi/path_keeper.h"
 #include "photons/energy_ledger.h"
 #include "photons/path_guide.h"
 #include "residency/scene_on_gpu.h"
@@ -44,7 +45,9 @@ class Renderer {
     core::Result<void> update(const scene::SceneSnapshot& snapshot);
 
     /// Declares one frame. The caller may add nodes (a present, an overlay) before run().
-    [[nodiscard]] DrawnFrame declare(graph::Frame& frame, const FrameRequest& request);
+    /// Errors: memory of the device.
+    [[nodiscard]] core::Result<DrawnFrame> declare(graph::Frame& frame,
+                                                   const FrameRequest& request);
 
     struct Outcome {
         execute::FrameStatistics statistics;
@@ -60,12 +63,12 @@ class Renderer {
     [[nodiscard]] const accel::AccelOnGpu& accel() const { return accel_; }
     [[nodiscard]] const residency::SceneOnGpu& scene() const { return scene_; }
     [[nodiscard]] uint64_t deviceBytes() const {
-        return scene_.deviceBytes() + accel_.deviceBytes();
+        return scene_.deviceBytes() + accel_.deviceBytes() + keeper_.deviceBytes();
     }
     [[nodiscard]] Capacities& capacities() { return room_; }
 
  private:
-    void makeRoom(const FrameRequest& request);
+    core::Result<void> makeRoom(const FrameRequest& request);
     /// What the mean over frames may go on from.
     [[nodiscard]] Past recall(const shared::View& view, const Settings& settings);
     /// Whether the next frame would only repeat the last.
@@ -81,7 +84,8 @@ class Renderer {
     accel::AccelOnGpu accel_;
     std::vector<photons::Emitter> emitters_;
     photons::PathGuide guide_;
-    photons::PathSplit split_;
+    PathKeeper keeper_;
+    PathPlan plan_;
     /// What the last frame's mean was made from.
     struct Drawn {
         bool whole = false;  ///< there is one, and its light was all there

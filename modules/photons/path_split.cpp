@@ -103,4 +103,30 @@ PathSplit splitPaths(const std::vector<Emitter>& emitters, uint32_t paths) {
     return splitPaths(parts, paths);
 }
 
+bool repower(PathSplit& split, const std::vector<Emitter>& emitters) {
+    // Ranges stand emitter by emitter; the parts of one have the same share of its power.
+    size_t first = 0;
+    std::vector<shared::PathRange> ranges = split.ranges;
+    for (const Emitter& emitter : emitters) {
+        size_t end = first;
+        const auto isOurs = [&](const shared::PathRange& range) {
+            return range.index == emitter.index && (range.kind == shared::EMIT_SURFACE) ==
+                                                       (emitter.kind == shared::EMIT_SURFACE);
+        };
+        while (end < ranges.size() && isOurs(ranges[end])) ++end;
+        if (end == first) return false;
+        const auto parts = static_cast<float>(end - first);
+        for (; first < end; ++first) {
+            const glm::vec3 perPath =
+                emitter.sampledWatts / parts / static_cast<float>(ranges[first].pathCount);
+            // [chosen] Photons keep power as halves in units of powerScale: far from their largest.
+            if (largest(perPath) > 256.0f * split.powerScale) return false;
+            ranges[first].powerPerPath = glm::vec4(perPath, mean(perPath));
+        }
+    }
+    if (first != ranges.size()) return false;
+    split.ranges = std::move(ranges);
+    return true;
+}
+
 }  // namespace lampyris::photons

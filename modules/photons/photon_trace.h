@@ -7,6 +7,7 @@
 #include "accel/accel_on_gpu.h"
 #include "graph/frame.h"
 #include "photons/path_split.h"
+#include "photons/path_store.h"
 #include "residency/scene_handles.h"
 #include "shared/photon.h"
 
@@ -50,6 +51,14 @@ struct PhotonList {
     uint32_t capacity = 0;
     float powerScale = 1.0f;  ///< watts; unit of the photons' powers
 };
+
+/// The same for all paths at once, where those that were not chosen are as the store has them.
+[[nodiscard]] PhotonList addPhotonTraceKept(graph::Frame& frame,
+                                            const residency::SceneHandles& scene,
+                                            const accel::AccelHandles& accel,
+                                            const PathSplit& split, const PathStoreHandles& store,
+                                            const PathChoice& choice, const TraceSettings& settings,
+                                            graph::Buffer counters);
 
 /// \param counters as the batch before left them
 [[nodiscard]] PhotonList addPhotonTrace(graph::Frame& frame, const residency::SceneHandles& scene,

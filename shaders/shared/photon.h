@@ -14,6 +14,17 @@ LAMPYRIS_SLOT(SLOT_PATH_OFFSETS, 4u);     // first photon a path, then their tot
 LAMPYRIS_SLOT(SLOT_PHOTONS, 5u);          // PackedPhoton[], in the order (path, bounce)
 LAMPYRIS_SLOT(SLOT_COUNTERS, 6u);         // FrameCounters
 
+// photon_trace with a path store: choice, groups, trace, ledger
+LAMPYRIS_SLOT(SLOT_CHOICE_VERTICES, 1u);  // vec4[]: a path's way, the first one's w = how many, as bits
+LAMPYRIS_SLOT(SLOT_CHOICE_BOXES, 2u);     // vec4[]: lower and upper corners
+LAMPYRIS_SLOT(SLOT_CHOICE_AGAIN, 3u);     // a range: not 0 where its emitter changed
+LAMPYRIS_SLOT(SLOT_CHOSEN_PATHS, 4u);     // paths to trace
+LAMPYRIS_SLOT(SLOT_CHOSEN_GROUPS, 5u);    // indirect dispatch over them
+LAMPYRIS_SLOT(SLOT_KEPT_VERTICES, 5u);    // as they are written
+LAMPYRIS_SLOT(SLOT_BOOKINGS, 7u);         // BOOKING_FLOATS a path
+LAMPYRIS_SLOT(BOOKED, 15u);               // emitted, absorbed, escaped, in flight, roulette: rgb each
+LAMPYRIS_SLOT(BOOKING_FLOATS, 16u);
+
 // photon_trace/importance
 LAMPYRIS_SLOT(SLOT_IMPORTANCE_PARAMS, 0u);     // GridParams
 LAMPYRIS_SLOT(SLOT_IMPORTANCE_PHOTONS, 1u);    // texels RGBA32Uint, two a photon
@@ -65,7 +76,19 @@ struct TraceParams {
     uint rouletteFrom;     // stored hits before roulette begins; 0xffffffff: never
     uint seed;
     float powerScale;      // watts
-    uint pad0, pad1;
+    uint verticesPerPath;  // with a path store
+    uint pad0;
+};
+
+struct ChoiceParams {
+    uint pathCount;
+    uint rangeCount;
+    uint boxCount;
+    uint verticesPerPath;
+    uint turns;            // a path is drawn anew every so many frames; 0: never
+    uint turn;
+    uint all;              // 1: every path is chosen
+    uint pad0;
 };
 
 struct StoreParams {
@@ -86,7 +109,8 @@ struct FrameCounters {
     uint pairsNeeded;
     uint cells;            // of the irradiance grid, in use
     uint cellsDropped;     // that found no room in it, and photons with them
-    uint pad0, pad1;
+    uint pathsRetraced;    // with a path store
+    uint pad0;
 };
 
 LAMPYRIS_SHARED_END

@@ -54,7 +54,7 @@ class FrameTest : public GpuTest {
                            const graph::CompileOptions& options = {}) {
         for (int attempt = 0; attempt < 8; ++attempt) {
             graph::Frame frame;
-            const auto drawn = renderer.declare(frame, request);
+            const auto drawn = test::need(renderer.declare(frame, request));
             auto outcome = need(renderer.run(frame, drawn, outputNode, options));
             if (outcome.report.valid)
                 return {std::move(outcome.image), outcome.report, std::move(outcome.statistics)};

@@ -137,7 +137,7 @@ TEST_F(FinalGather, AGridThatCannotGrowIsOneError) {
     renderer.capacities().gridSlots = renderer.capacities().mostGridSlots = 1u << 14;
     const auto draw = [&] {
         graph::Frame frame;
-        const auto drawn = renderer.declare(frame, wanted);
+        const auto drawn = test::need(renderer.declare(frame, wanted));
         return renderer.run(frame, drawn, "indirect");
     };
     auto outcome = draw();
