@@ -1,5 +1,6 @@
 // Which paths are traced again: those whose emitter changed, whose turn it is, or a segment of which meets a box in
-// which geometry changed. The list's order varies; each path writes to its own place.                             [K1]
+// which geometry changed. A path that a change touches keeps its random numbers: were it drawn anew, paths that go where
+// things move would leave the store and only a few return. The list's order varies; each path has its own place.  [K1]
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/path_range.glsl"
@@ -29,12 +30,12 @@ bool meetsBox(vec3 from, vec3 to) {
 void main() {
     uint path = gl_GlobalInvocationID.x;
     if (path >= params.pathCount) return;
-    bool again = params.all != 0u || (params.turns > 0u && path % params.turns == params.turn) ||
-                 rangeAgain[rangeIndexOf(path, params.rangeCount)] != 0u;
+    bool anew = params.all != 0u || (params.turns > 0u && path % params.turns == params.turn);
+    bool again = anew || rangeAgain[rangeIndexOf(path, params.rangeCount)] != 0u;
     if (!again && params.boxCount > 0u) {
         uint first = path * params.verticesPerPath;
         uint count = floatBitsToUint(vertices[first].w);
         for (uint i = 1u; i < count && !again; ++i) again = meetsBox(vertices[first + i - 1u].xyz, vertices[first + i].xyz);
     }
-    if (again) chosen[atomicAdd(counters.pathsRetraced, 1u)] = path;
+    if (again) chosen[atomicAdd(counters.pathsRetraced, 1u)] = path | (anew ? CHOSEN_ANEW : 0u);
 }

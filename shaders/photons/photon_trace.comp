@@ -17,7 +17,7 @@ layout(set = 0, binding = SLOT_STAGED_PHOTONS, std430) writeonly buffer Staged {
 layout(set = 0, binding = SLOT_PATH_COUNTS, std430) writeonly buffer Counts { uint pathCounts[]; };
 #ifdef KEEP
 layout(set = 0, binding = SLOT_CHOSEN_PATHS, std430) readonly buffer Chosen { uint chosen[]; };
-layout(set = 0, binding = SLOT_KEPT_VERTICES, std430) writeonly buffer Vertices { vec4 vertices[]; };
+layout(set = 0, binding = SLOT_KEPT_VERTICES, std430) buffer Vertices { vec4 vertices[]; };
 layout(set = 0, binding = SLOT_COUNTERS, std430) readonly buffer Counters { FrameCounters counters; };
 layout(set = 0, binding = SLOT_BOOKINGS, std430) writeonly buffer Bookings { float bookings[]; };
 #else
@@ -36,10 +36,10 @@ const float kFarAway = 1e6;  // [chosen] metres: past any scene
 
 float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
-uint tracePath(uint slot, uint path, inout Booking book) {
+uint tracePath(uint slot, uint path, uint seed, inout Booking book) {
     PathRange range = ranges[rangeIndexOf(path, params.rangeCount)];
-    uvec2 random = seedRandom(path, params.seed);
-    PhotonRay ray = emitPhoton(range, path - range.firstPath, params.seed, random);
+    uvec2 random = seedRandom(path, seed);
+    PhotonRay ray = emitPhoton(range, path - range.firstPath, seed, random);
     vec3 power = ray.power;
     book.emitted = power;
     uint stored = 0u;
@@ -89,6 +89,7 @@ uint tracePath(uint slot, uint path, inout Booking book) {
     }
 #ifdef KEEP
     vertices[firstVertex] = vec4(start, uintBitsToFloat(vertexCount));
+    vertices[firstVertex + 1u].w = uintBitsToFloat(seed);
 #endif
     return stored;
 }
@@ -96,9 +97,11 @@ uint tracePath(uint slot, uint path, inout Booking book) {
 #ifdef KEEP
 void main() {
     if (gl_GlobalInvocationID.x >= counters.pathsRetraced) return;
-    uint path = chosen[gl_GlobalInvocationID.x];
+    uint path = chosen[gl_GlobalInvocationID.x] & ~CHOSEN_ANEW;
+    bool anew = (chosen[gl_GlobalInvocationID.x] & CHOSEN_ANEW) != 0u;
+    uint seed = anew ? params.seed : floatBitsToUint(vertices[path * params.verticesPerPath + 1u].w);
     Booking book = Booking(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    pathCounts[path] = tracePath(path, path, book);
+    pathCounts[path] = tracePath(path, path, seed, book);
     vec3 accounts[5] = vec3[5](book.emitted, book.absorbed, book.escaped, book.inFlight, book.roulette);
     for (uint i = 0u; i < BOOKED; ++i) bookings[path * BOOKING_FLOATS + i] = accounts[i / 3u][i % 3u];
 }
@@ -107,7 +110,7 @@ void main() {
     uint slot = gl_GlobalInvocationID.x;
     uint thread = gl_LocalInvocationIndex;
     Booking book = Booking(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    if (slot < params.pathCount) pathCounts[slot] = tracePath(slot, params.firstPath + slot, book);
+    if (slot < params.pathCount) pathCounts[slot] = tracePath(slot, params.firstPath + slot, params.seed, book);
     booked[thread] = book.emitted;
     booked[TRACE_THREADS + thread] = book.absorbed;
     booked[2u * TRACE_THREADS + thread] = book.escaped;

@@ -15,13 +15,14 @@ LAMPYRIS_SLOT(SLOT_PHOTONS, 5u);          // PackedPhoton[], in the order (path,
 LAMPYRIS_SLOT(SLOT_COUNTERS, 6u);         // FrameCounters
 
 // photon_trace with a path store: choice, groups, trace, ledger
-LAMPYRIS_SLOT(SLOT_CHOICE_VERTICES, 1u);  // vec4[]: a path's way, the first one's w = how many, as bits
+LAMPYRIS_SLOT(SLOT_CHOICE_VERTICES, 1u);  // vec4[]: a path's way; as bits, w of the first = how many, w of the second = its seed
 LAMPYRIS_SLOT(SLOT_CHOICE_BOXES, 2u);     // vec4[]: lower and upper corners
 LAMPYRIS_SLOT(SLOT_CHOICE_AGAIN, 3u);     // a range: not 0 where its emitter changed
-LAMPYRIS_SLOT(SLOT_CHOSEN_PATHS, 4u);     // paths to trace
+LAMPYRIS_SLOT(SLOT_CHOSEN_PATHS, 4u);     // paths to trace, CHOSEN_ANEW where with new random numbers
 LAMPYRIS_SLOT(SLOT_CHOSEN_GROUPS, 5u);    // indirect dispatch over them
 LAMPYRIS_SLOT(SLOT_KEPT_VERTICES, 5u);    // as they are written
 LAMPYRIS_SLOT(SLOT_BOOKINGS, 7u);         // BOOKING_FLOATS a path
+LAMPYRIS_SLOT(CHOSEN_ANEW, 0x80000000u);
 LAMPYRIS_SLOT(BOOKED, 15u);               // emitted, absorbed, escaped, in flight, roulette: rgb each
 LAMPYRIS_SLOT(BOOKING_FLOATS, 16u);
 

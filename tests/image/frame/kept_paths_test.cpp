@@ -40,7 +40,7 @@ class KeptPaths : public test::FrameTest {
     }
 
     photon_gi::FrameRequest asked(photon_gi::Retrace retrace, bool reseed) {
-        auto made = request(96, 54, step().cameras.front());
+        auto made = request(64, 36, step().cameras.front());
         made.settings.history = 32;
         made.settings.reseed = reseed;
         made.settings.retrace = retrace;
@@ -126,8 +126,9 @@ TEST_F(KeptPaths, KeepTheMeanOfTheLight) {
     auto kept = asked(photon_gi::Retrace::Auto, true);
     auto anew = asked(photon_gi::Retrace::All, true);
     test::SceneRenderer keeping(device(), snapshot_), tracing(device(), snapshot_);
+    kept.settings.history = anew.settings.history = 0;
     double keptMean = 0.0, newMean = 0.0;
-    for (uint32_t frame = 0; frame < 48; ++frame) {
+    for (uint32_t frame = 0; frame < 96; ++frame) {
         kept.frameNumber = anew.frameNumber = frame;
         keptMean += meanOf(render(keeping, kept, "irradiance_indirect").image);
         newMean += meanOf(render(tracing, anew, "irradiance_indirect").image);
@@ -136,7 +137,33 @@ TEST_F(KeptPaths, KeepTheMeanOfTheLight) {
         test::need(keeping.update(step()));
         test::need(tracing.update(snapshot_));
     }
-    EXPECT_NEAR(keptMean, newMean, 0.01 * newMean);
+    EXPECT_NEAR(keptMean, newMean, 0.025 * newMean);  // three deviations of 13 sets of paths
+}
+
+// Were paths that a change touches drawn anew, fewer and fewer would go where something moves: here a
+// black curtain before half of the open side, that trembles.
+TEST_F(KeptPaths, GoOnToWhatMoves) {
+    assets::Mesh curtain;
+    curtain.positions = {{-5, 0, 0}, {0, 0, 0}, {0, 10, 0}, {-5, 10, 0}};
+    curtain.normals.assign(4, {0, 0, 1});
+    curtain.indices = {0, 1, 2, 0, 2, 3};
+    assets::updateBounds(curtain);
+    const auto black = world_.resource<scene::Library>().addMaterial(
+        scene::lambertian("black", glm::vec3(0.0f)));
+    const ecs::Entity trembling = scene::spawnMesh(world_, curtain, black, {{0, 0, 5}});
+    auto kept = asked(photon_gi::Retrace::Auto, true);
+    auto anew = asked(photon_gi::Retrace::All, true);
+    test::SceneRenderer keeping(device(), snapshot_), tracing(device(), snapshot_);
+    double keptEscaped = 0.0, newEscaped = 0.0;
+    for (uint32_t frame = 0; frame < 64; ++frame) {
+        kept.frameNumber = anew.frameNumber = frame;
+        keptEscaped += render(keeping, kept, "final").report.energy.escaped.g;
+        newEscaped += render(tracing, anew, "final").report.energy.escaped.g;
+        world_.edit<scene::Transform>(trembling).translation.z = frame % 2 == 0 ? 5.01f : 5.0f;
+        test::need(keeping.update(step()));
+        test::need(tracing.update(snapshot_));
+    }
+    EXPECT_NEAR(keptEscaped, newEscaped, 0.03 * newEscaped);
 }
 
 TEST_F(KeptPaths, ALightSwitchedOffIsGoneWithinTwelveFrames) {
