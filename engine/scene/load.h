@@ -15,6 +15,7 @@ struct SceneSource {
     std::string nameOrPath;
     size_t meshCount = 0;      ///< of the Library as loaded
     size_t materialCount = 0;  ///< of the Library as loaded
+    size_t clipCount = 0;      ///< of the Library as loaded
 };
 
 /// A built-in name, or a path that ends in .gltf or .glb. The world has a Library, a camera, a
