@@ -174,6 +174,27 @@ core::Result<Skin> loadSkin(const json& object, const ecs::LoadedEntities& loade
     return skin;
 }
 
+json savePatrol(const Patrol& patrol) {
+    json waypoints = json::array();
+    for (const glm::vec3& waypoint : patrol.waypoints) waypoints.push_back(toJson(waypoint));
+    return {{"waypoints", waypoints},
+            {"metres_per_second", patrol.metresPerSecond},
+            {"start_seconds", patrol.startSeconds},
+            {"closed", patrol.closed}};
+}
+
+core::Result<Patrol> loadPatrol(const json& object) {
+    Patrol patrol;
+    for (const json& waypoint : object.value("waypoints", json::array())) {
+        glm::vec3& position = patrol.waypoints.emplace_back(0.0f);
+        TRY_VOID(readVector({{"waypoint", waypoint}}, "waypoint", position));
+    }
+    TRY_VOID(read(object, "metres_per_second", patrol.metresPerSecond));
+    TRY_VOID(read(object, "start_seconds", patrol.startSeconds));
+    patrol.closed = object.value("closed", patrol.closed);
+    return patrol;
+}
+
 json saveAnimationPlayer(const AnimationPlayer& player, const ecs::SavedEntities& saved) {
     json object = {{"targets", saveEntities(player.targets, saved)},
                    {"start_seconds", player.startSeconds},
@@ -207,6 +228,7 @@ void registerComponents(ecs::Registry& registry) {
     registry.add<MorphWeights>(
         "morph_weights", [](const MorphWeights& weights) { return json(weights.values); },
         loadMorphWeights);
+    registry.add<Patrol>("patrol", savePatrol, loadPatrol);
     registry.add<Skin>("skin", saveSkin, loadSkin);
     registry.add<AnimationPlayer>("animation_player", saveAnimationPlayer, loadAnimationPlayer);
 }

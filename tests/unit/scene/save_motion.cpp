@@ -54,11 +54,16 @@ TEST(SaveMotion, ASavedSceneMovesOn) {
         plays.startSeconds = -1.0;
         plays.targets.push_back({});
     }
+    world->add(world->create(), Patrol{{{1, 2, 3}, {4, 5, 6}}, 0.5f, 2.0, false});
     const auto text = saveScene(*world);
     ASSERT_TRUE(text.ok()) << text.error().message;
     auto loaded = loadSavedScene(*text);
     ASSERT_TRUE(loaded.ok()) << loaded.error().message;
     EXPECT_EQ(saveScene(*loaded).value(), *text);
+    for (const auto& [entity, patrol] : loaded->view<Patrol>()) {
+        EXPECT_EQ(patrol.waypoints.at(1), glm::vec3(4, 5, 6));
+        EXPECT_FALSE(patrol.closed);
+    }
     advanceTo(*loaded, 1.0, 0);
     const SceneSnapshot snapshot = extract(*loaded, {}, 0);
     ASSERT_EQ(snapshot.instances.size(), 1u);
