@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/snapshot_builder.h"
+#include "support/posed_meshes.h"
 
 namespace lampyris::residency {
 namespace {
@@ -30,6 +30,23 @@ TEST(Emitters, HavePowerPiTimesRadianceTimesArea) {
     EXPECT_FLOAT_EQ(table.triangles[0].areaSquareMetres, 3.0f);
     EXPECT_FLOAT_EQ(table.triangles[0].cumulative, 0.5f);
     EXPECT_FLOAT_EQ(table.triangles[1].cumulative, 1.0f);
+}
+
+TEST(Emitters, GlowWhereTheirPosePutsThem) {
+    test::SnapshotBuilder scene;
+    assets::Mesh square = test::unitSquare();
+    square.joints.assign(4, glm::uvec4(0));
+    square.weights.assign(4, glm::vec4(1.0f, 0.0f, 0.0f, 0.0f));
+    scene.addInstance(scene.addMesh(square), scene.addMaterial(glowing(glm::vec3(1.0f))));
+    auto pose = std::make_shared<scene::Pose>();
+    pose->jointMatrices = {glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0, 0, 5)),
+                                      glm::vec3(2.0f, 2.0f, 1.0f))};
+    const auto rest = emitterSignature(scene.snapshot);
+    test::setPose(scene, 0, pose);
+    EXPECT_NE(emitterSignature(scene.snapshot), rest);
+    const EmitterTable table = buildEmitters(scene.snapshot);
+    EXPECT_NEAR(table.emitters.at(0).power.x, 4.0f * math::kPi, 1e-4f);
+    EXPECT_FLOAT_EQ(table.triangles.at(0).v0.z, 5.0f);
 }
 
 TEST(Emitters, GlowTwiceWhereDoubleSided) {
