@@ -122,6 +122,7 @@ TEST_F(Reference, LightsWithoutPowerGiveBlackAndAWord) {
 TEST_F(Reference, NamesWhatCannotBeHad) {
     expectFailure(reference("cornell", "a.exr", {"--spp", "0"}), "--spp 0");
     expectFailure(reference("cornell", "a.exr", {"--camera", "nobody"}), "--camera nobody");
+    expectFailure(reference("cornell", "a.exr", {"--animation", "none"}), "--animation none");
     expectFailure(reference("no_such_scene", "a.exr"), "cornell");
     expectFailure(reference(folder_ / "missing.glb", "a.exr"), "missing.glb");
     expectFailure(reference("cornell", "no_folder/a.exr"), "no_folder");
