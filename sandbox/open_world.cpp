@@ -6,6 +6,7 @@
 
 #include "courtyard/courtyard.h"
 #include "scene/builtin/builtin.h"
+#include "scene/library.h"
 #include "scene/load.h"
 #include "scene/motion.h"
 
@@ -21,10 +22,26 @@ core::Result<ecs::World> load(const std::string& name) {
                        fmt::join(builtin, ", "), courtyard::kSceneName);
 }
 
+core::Result<void> chooseAnimation(ecs::World& world, const std::string& name) {
+    if (name.empty()) return {};
+    const auto& clips = world.resource<scene::Library>().clips();
+    std::string names;
+    for (uint32_t i = 0; i < clips.size(); ++i) {
+        names += fmt::format("{}'{}'", names.empty() ? "" : ", ", clips[i]->name);
+        if (clips[i]->name != name) continue;
+        for (const auto& [entity, player] : world.view<scene::AnimationPlayer>())
+            world.edit<scene::AnimationPlayer>(entity).clip = {i};
+        return {};
+    }
+    return core::error("--animation {}: the scene has no such animation; it has {}", name,
+                       names.empty() ? "none" : names);
+}
+
 }  // namespace
 
 core::Result<ecs::World> openWorld(const Options& options) {
     TRY(ecs::World world, load(options.scene));
+    TRY_VOID(chooseAnimation(world, options.animation));
     scene::advanceTo(world, options.time, 0);
     return world;
 }

@@ -161,6 +161,7 @@ void addDisplayOptions(CLI::App& app, core::DisplayTransform& display) {
 
 void addCameraOptions(CLI::App& app, Options& o) {
     app.add_option("--camera", o.camera, "by name (the first)")->type_name("NAME");
+    app.add_option("--animation", o.animation, "by name (the first)")->type_name("NAME");
     app.add_option("--time", o.time, "seconds, of the first frame (0)")->check(finite(-1e6, 1e6));
 }
 

@@ -33,7 +33,7 @@ struct Options {
     bool reseed = true;
     std::string retrace = "auto";
     float lightCutoff = 0.001f;
-    std::string camera;
+    std::string camera, animation;
     double time = 0.0;               ///< seconds
     std::optional<double> timestep;  ///< seconds
     uint32_t seed = 1;
@@ -51,9 +51,9 @@ void addSizeOptions(CLI::App& app, Options& options);
 void addFrameOptions(CLI::App& app, Options& options);
 /// --exposure, --tonemap.
 void addDisplayOptions(CLI::App& app, core::DisplayTransform& display);
-/// --camera, --time.
+/// --camera, --animation, --time.
 void addCameraOptions(CLI::App& app, Options& options);
-/// --camera, --time, --exposure, --tonemap, --report.
+/// --camera, --animation, --time, --exposure, --tonemap, --report.
 void addViewOptions(CLI::App& app, Options& options);
 /// Those of addViewOptions, --timestep, --graph, --trace.
 void addPictureOptions(CLI::App& app, Options& options);

@@ -5,10 +5,16 @@
 #include <utility>
 
 #include "core/check.h"
+#include "scene/place_deformed.h"
 
 namespace lampyris::scene {
 
 namespace {
+
+void makeUnique(std::vector<uint32_t>& slots) {
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+}
 
 /// Slots whose occupant may have gained, lost or changed a component, in order.
 template <typename... Components>
@@ -19,14 +25,17 @@ std::vector<uint32_t> slotsTouched(const ecs::World& world, ecs::Tick since) {
     };
     (addAll(world.changedSince<Components>(since)), ...);
     (addAll(world.removedSince<Components>(since)), ...);
-    std::sort(slots.begin(), slots.end());
-    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    makeUnique(slots);
     return slots;
 }
 
+bool samePose(const SnapshotInstance& a, const SnapshotInstance& b) {
+    if (a.entity != b.entity || a.mesh != b.mesh) return false;
+    return a.pose == b.pose || (a.pose && b.pose && *a.pose == *b.pose);
+}
+
 bool sameContents(const SnapshotInstance& a, const SnapshotInstance& b) {
-    return a.entity == b.entity && a.mesh == b.mesh && a.material == b.material &&
-           a.objectToWorld == b.objectToWorld;
+    return samePose(a, b) && a.material == b.material && a.objectToWorld == b.objectToWorld;
 }
 
 bool sameContents(const SnapshotLight& a, const SnapshotLight& b) {
@@ -34,6 +43,18 @@ bool sameContents(const SnapshotLight& a, const SnapshotLight& b) {
            a.radiusMetres == b.radiusMetres && a.powerWatts == b.powerWatts &&
            a.directionWorld == b.directionWorld && a.cosOuterCone == b.cosOuterCone &&
            a.cosInnerCone == b.cosInnerCone;
+}
+
+/// Gives an entry its version, and what it still shares with the one before it, if any.
+void finish(SnapshotInstance& entry, const SnapshotInstance* before, uint64_t version) {
+    entry.version = version;
+    const bool stands = before != nullptr && samePose(*before, entry);
+    entry.poseVersion = stands ? before->poseVersion : version;
+    if (stands) entry.pose = before->pose;
+}
+
+void finish(SnapshotLight& entry, const SnapshotLight* /*before*/, uint64_t version) {
+    entry.version = version;
 }
 
 /// Brings the entries of the touched slots up to date; both lists are ordered by slot. New and
@@ -55,8 +76,8 @@ bool update(std::vector<Entry>& entries, const std::vector<uint32_t>& touched, u
         } else if (wasThere || entry) {
             changed = true;
             if (entry) {
-                entry->version = version;
-                updated.push_back(*entry);
+                finish(*entry, wasThere ? &*old : nullptr, version);
+                updated.push_back(std::move(*entry));
             }
         }
         if (wasThere) ++old;
@@ -105,10 +126,13 @@ std::optional<SnapshotInstance> makeInstance(const ecs::World& world, const Scen
     const MaterialId material = drawn->material.valid() ? drawn->material : kDefaultMaterial;
     CHECK(drawn->mesh.value < shared.meshes.size());
     CHECK(material.value < shared.materials.size());
+    PlacedPose placed =
+        placeDeformed(world, entity, world.resource<Library>().extentsOf(drawn->mesh));
     return SnapshotInstance{.entity = entity,
                             .mesh = drawn->mesh.value,
                             .material = material.value,
-                            .objectToWorld = transform->matrix};
+                            .objectToWorld = placed.objectToWorld,
+                            .pose = std::move(placed.pose)};
 }
 
 std::optional<SnapshotLight> makeLight(const ecs::World& world, ecs::Entity entity) {
@@ -124,15 +148,40 @@ std::optional<SnapshotLight> makeLight(const ecs::World& world, ecs::Entity enti
                          .cosInnerCone = light->cosInnerCone};
 }
 
+/// Slots of instances that may have changed: also skinned ones, wherever something moved. Which
+/// joints follow it is not asked; poses that come out as they were are no change.
+std::vector<uint32_t> instancesTouched(const ecs::World& world, ecs::Tick since,
+                                       const std::vector<uint32_t>& replacedMeshes,
+                                       const SceneSnapshot& before) {
+    std::vector<uint32_t> slots =
+        slotsTouched<MeshInstance, WorldTransform, Skin, MorphWeights>(world, since);
+    if (world.count<Skin>() > 0 &&
+        !slotsTouched<Transform, WorldTransform, ecs::Parent>(world, since).empty())
+        for (const auto& [entity, skin] : world.view<Skin>()) slots.push_back(entity.index());
+    for (const SnapshotInstance& instance : before.instances)
+        if (std::binary_search(replacedMeshes.begin(), replacedMeshes.end(), instance.mesh))
+            slots.push_back(instance.entity.index());
+    makeUnique(slots);
+    return slots;
+}
+
+math::Bounds boundsOf(const Library& library, const SnapshotInstance& instance) {
+    const MeshId mesh{instance.mesh};
+    const math::Bounds& rest = library.meshes()[instance.mesh].value->bounds;
+    return math::transformed(
+        instance.pose ? posedBounds(*library.extentsOf(mesh), *instance.pose) : rest,
+        instance.objectToWorld);
+}
+
 void updateInstances(const ecs::World& world, ecs::Tick since,
                      const std::vector<uint32_t>& replacedMeshes, SceneSnapshot& next) {
     const uint64_t version = next.geometryVersion + 1;
     bool changed =
-        update(next.instances, slotsTouched<MeshInstance, WorldTransform>(world, since), version,
+        update(next.instances, instancesTouched(world, since, replacedMeshes, next), version,
                [&](uint32_t slot) { return makeInstance(world, next, world.occupant(slot)); });
     for (SnapshotInstance& instance : next.instances) {
         if (std::binary_search(replacedMeshes.begin(), replacedMeshes.end(), instance.mesh)) {
-            instance.version = version;
+            instance.version = instance.poseVersion = version;
             changed = true;
         }
     }
@@ -140,10 +189,8 @@ void updateInstances(const ecs::World& world, ecs::Tick since,
     next.geometryVersion = version;
     next.boundsWorld = {};
     for (SnapshotInstance& instance : next.instances) {
-        if (instance.version == version) {
-            instance.boundsWorld =
-                math::transformed(next.meshes[instance.mesh].value->bounds, instance.objectToWorld);
-        }
+        if (instance.version == version)
+            instance.boundsWorld = boundsOf(world.resource<Library>(), instance);
         next.boundsWorld.grow(instance.boundsWorld);
     }
 }

@@ -5,6 +5,7 @@
 
 #include "core/log.h"
 #include "scene/library.h"
+#include "scene/place_deformed.h"
 #include "scene/spawn.h"
 
 namespace lampyris::scene {
@@ -43,6 +44,14 @@ bool anythingEmissive(const ecs::World& world) {
     return false;
 }
 
+/// posedBounds would be wider than what is seen.
+math::Bounds exactBounds(const assets::Mesh& mesh, const Pose& pose) {
+    math::Bounds bounds;
+    for (const glm::vec3& p : posedVertices(mesh, pose).positions)
+        if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) bounds.grow(p);
+    return bounds;
+}
+
 bool anyLightShines(const ecs::World& world) {
     for (const auto& [entity, light] : world.view<SphereLight>()) {
         if (shines(light)) return true;
@@ -79,11 +88,14 @@ LightAbove lightAbove(const math::Bounds& bounds) {
 }
 
 math::Bounds boundsWorld(const ecs::World& world) {
-    const auto& meshes = world.resource<Library>().meshes();
+    const auto& library = world.resource<Library>();
     math::Bounds bounds;
     for (const auto& [entity, drawn, transform] : world.view<MeshInstance, WorldTransform>()) {
         if (!drawn.mesh.valid()) continue;
-        bounds.grow(math::transformed(meshes[drawn.mesh.value].value->bounds, transform.matrix));
+        const assets::Mesh& mesh = *library.meshes()[drawn.mesh.value].value;
+        const PlacedPose placed = placeDeformed(world, entity, library.extentsOf(drawn.mesh));
+        bounds.grow(math::transformed(placed.pose ? exactBounds(mesh, *placed.pose) : mesh.bounds,
+                                      placed.objectToWorld));
     }
     return bounds;
 }

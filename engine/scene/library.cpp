@@ -4,6 +4,15 @@
 
 namespace lampyris::scene {
 
+namespace {
+
+std::shared_ptr<const PoseExtents> extentsWhereDeformed(const assets::Mesh& mesh) {
+    if (mesh.joints.empty() && mesh.morphTargets.empty()) return nullptr;
+    return std::make_shared<const PoseExtents>(poseExtents(mesh));
+}
+
+}  // namespace
+
 Library::Library() {
     assets::Material plain;
     plain.name = "default";
@@ -13,6 +22,7 @@ Library::Library() {
 }
 
 MeshId Library::addMesh(assets::Mesh mesh) {
+    extents_.push_back(extentsWhereDeformed(mesh));
     meshes_.push_back({std::make_shared<const assets::Mesh>(std::move(mesh)), ++lastVersion_});
     return {static_cast<uint32_t>(meshes_.size() - 1)};
 }
@@ -36,6 +46,7 @@ ClipId Library::addClip(assets::Animation clip) {
 
 void Library::replaceMesh(MeshId id, assets::Mesh mesh) {
     CHECK(id.value < meshes_.size());
+    extents_[id.value] = extentsWhereDeformed(mesh);
     meshes_[id.value] = {std::make_shared<const assets::Mesh>(std::move(mesh)), ++lastVersion_};
 }
 

@@ -9,6 +9,7 @@
 #include "assets/material.h"
 #include "assets/mesh.h"
 #include "scene/components.h"
+#include "scene/pose.h"
 
 namespace lampyris::scene {
 
@@ -43,6 +44,8 @@ class Library {
     [[nodiscard]] const std::vector<Versioned<assets::TextureImage>>& images() const {
         return images_;
     }
+    /// Of a mesh that has joints or morph targets; null for the others.
+    [[nodiscard]] const PoseExtents* extentsOf(MeshId id) const { return extents_[id.value].get(); }
     /// In the order of the file; an AnimationPlayer names one.
     [[nodiscard]] const std::vector<std::shared_ptr<const assets::Animation>>& clips() const {
         return clips_;
@@ -50,6 +53,7 @@ class Library {
 
  private:
     std::vector<Versioned<assets::Mesh>> meshes_;
+    std::vector<std::shared_ptr<const PoseExtents>> extents_;  ///< by mesh
     std::vector<Versioned<assets::Material>> materials_;
     std::vector<Versioned<assets::TextureImage>> images_;
     std::vector<std::shared_ptr<const assets::Animation>> clips_;

@@ -12,6 +12,7 @@
 #include "scene/fallback.h"
 #include "scene/instantiate.h"
 #include "scene/library.h"
+#include "scene/motion.h"
 #include "scene/systems/world_transforms.h"
 
 namespace lampyris::scene {
@@ -31,7 +32,8 @@ bool hasExtent(const glm::mat4& matrix) {
 /// Nothing may be missing from a picture without a word.
 void warnOfPlacements(const ecs::World& world, const std::string& path) {
     size_t meshes = 0;
-    for (const auto& [entity, drawn, transform] : world.view<MeshInstance, WorldTransform>())
+    for (const auto& [entity, drawn, transform] :
+         world.view<MeshInstance, WorldTransform>(ecs::without<Skin>))
         if (!hasExtent(transform.matrix)) ++meshes;
     if (meshes > 0)
         core::logWarning("{}: {} meshes have no extent, or one beyond numbers, and are not drawn",
@@ -46,7 +48,7 @@ core::Result<ecs::World> readFile(const std::string& path) {
     ecs::World world;
     world.setResource(Library{});
     instantiate(world, std::move(model), path);
-    updateWorldTransforms(world);
+    advanceTo(world, 0.0, 0);
     if (world.count<MeshInstance>() == 0) return core::error("{}: no mesh to draw", path);
     warnOfPlacements(world, path);
     return world;

@@ -21,8 +21,9 @@ struct SceneSource {
 [[nodiscard]] bool namesFile(const std::string& nameOrPath);
 
 /// A built-in name, or a path that ends in .gltf or .glb. The world has a Library, a camera, a
-/// light or something emissive, something to draw, and world transforms. What had to be added or
-/// left out is a warning line. Errors name the scene: unknown name, broken file, no mesh to draw.
+/// light or something emissive, something to draw, world transforms, and is at time 0. What had to
+/// be added or left out is a warning line. Errors name the scene: unknown name, broken file, no
+/// mesh to draw.
 core::Result<ecs::World> loadScene(const std::string& nameOrPath);
 
 /// The same as the file has it: nothing added for a missing camera or light.

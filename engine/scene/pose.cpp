@@ -64,12 +64,4 @@ PosedVertices posedVertices(const assets::Mesh& mesh, const Pose& pose) {
     return posed;
 }
 
-math::Bounds posedBounds(const assets::Mesh& mesh, const Pose& pose) {
-    math::Bounds bounds;
-    for (const glm::vec3& position : posedVertices(mesh, pose).positions)
-        if (std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z))
-            bounds.grow(position);
-    return bounds;
-}
-
 }  // namespace lampyris::scene

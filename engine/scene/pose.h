@@ -26,7 +26,18 @@ struct PosedVertices {
 /// skin nodes.
 [[nodiscard]] PosedVertices posedVertices(const assets::Mesh& mesh, const Pose& pose);
 
-/// A box that holds the posed vertices, without evaluating them; finite.
+/// What bounds of a posed mesh are made of; for meshes that have joints or morph targets.
+struct PoseExtents {
+    math::Bounds rest;                  ///< of all vertices
+    std::vector<math::Bounds> joints;   ///< of the vertices at rest that follow each; up to the
+                                        ///< highest joint of the mesh
+    std::vector<math::Bounds> offsets;  ///< of each morph target; holds 0
+};
+[[nodiscard]] PoseExtents poseExtents(const assets::Mesh& mesh);
+
+/// A box that holds the finite ones of the posed vertices, made from boxes alone: wider than they
+/// need. Finite.
+[[nodiscard]] math::Bounds posedBounds(const PoseExtents& extents, const Pose& pose);
 [[nodiscard]] math::Bounds posedBounds(const assets::Mesh& mesh, const Pose& pose);
 
 }  // namespace lampyris::scene

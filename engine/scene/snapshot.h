@@ -17,9 +17,9 @@ namespace lampyris::scene {
 /// of its material are told by SceneSnapshot::materialVersion.
 struct SnapshotInstance {
     ecs::Entity entity;
-    uint32_t mesh = 0;      ///< into SceneSnapshot::meshes
-    uint32_t material = 0;  ///< into SceneSnapshot::materials
-    glm::mat4 objectToWorld{1.0f};
+    uint32_t mesh = 0;              ///< into SceneSnapshot::meshes
+    uint32_t material = 0;          ///< into SceneSnapshot::materials
+    glm::mat4 objectToWorld{1.0f};  ///< of a skinned one: where its joints' common ancestor stands
     uint64_t version = 0;
     math::Bounds boundsWorld{};          ///< around the transformed box of the mesh, as posed
     std::shared_ptr<const Pose> pose{};  ///< null: the mesh at rest, shared with other instances

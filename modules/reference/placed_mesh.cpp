@@ -25,14 +25,42 @@ glm::mat3 normalTransform(const glm::mat3& m, bool mirrored) {
     return glm::mat3(cofactors);
 }
 
+bool finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The mesh with its vertices where the pose puts them. Triangles that it puts at infinity are
+/// left out.
+std::shared_ptr<const assets::Mesh> pose(const assets::Mesh& mesh, const scene::Pose& pose) {
+    scene::PosedVertices vertices = scene::posedVertices(mesh, pose);
+    auto posed = std::make_shared<assets::Mesh>();
+    posed->texcoords0 = mesh.texcoords0;
+    posed->texcoords1 = mesh.texcoords1;
+    posed->colours = mesh.colours;
+    for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const uint32_t* corners = &mesh.indices[i];
+        if (std::all_of(corners, corners + 3,
+                        [&](uint32_t k) { return finite(vertices.positions[k]); }))
+            posed->indices.insert(posed->indices.end(), corners, corners + 3);
+    }
+    for (glm::vec3& position : vertices.positions)
+        if (!finite(position)) position = glm::vec3(0.0f);
+    posed->positions = std::move(vertices.positions);
+    posed->normals = std::move(vertices.normals);
+    posed->tangents = std::move(vertices.tangents);
+    return posed;
+}
+
 }  // namespace
 
 std::optional<PlacedMesh> place(const scene::SceneSnapshot& snapshot,
                                 const scene::SnapshotInstance& instance) {
-    const assets::Mesh& mesh = *snapshot.meshes[instance.mesh].value;
-    if (mesh.triangleCount() == 0 || !finite(instance.objectToWorld)) return std::nullopt;
     PlacedMesh placed;
-    placed.mesh = &mesh;
+    placed.mesh = snapshot.meshes[instance.mesh].value.get();
+    if (instance.pose) placed.posed = pose(*placed.mesh, *instance.pose);
+    if (placed.posed) placed.mesh = placed.posed.get();
+    const assets::Mesh& mesh = *placed.mesh;
+    if (mesh.triangleCount() == 0 || !finite(instance.objectToWorld)) return std::nullopt;
     placed.material = snapshot.materials[instance.material].value.get();
     placed.images = &snapshot.images;
     placed.toWorld = glm::mat3(instance.objectToWorld);

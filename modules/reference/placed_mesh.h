@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,9 +11,10 @@
 namespace lampyris::reference {
 
 /// A mesh in world space, its material, and the images that the material names. Points into the
-/// snapshot, which must outlive it.
+/// snapshot, which must outlive it; a posed mesh is its own.
 struct PlacedMesh {
-    const assets::Mesh* mesh = nullptr;
+    std::shared_ptr<const assets::Mesh> posed;  ///< null: at rest
+    const assets::Mesh* mesh = nullptr;         ///< as it is drawn
     const assets::Material* material = nullptr;
     const std::vector<scene::Versioned<assets::TextureImage>>* images = nullptr;
     glm::mat3 toWorld{1.0f};                ///< of tangents

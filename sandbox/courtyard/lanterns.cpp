@@ -63,7 +63,7 @@ void spawnSwingingLantern(ecs::World& world, const Paints& paints) {
 
 /// A cool globe under the arcade's ceiling.
 void spawnArcadeLamp(ecs::World& world, const Paints& paints) {
-    constexpr glm::vec3 kLamp{-3.9f, 2.45f, -7.8f};
+    constexpr glm::vec3 kLamp{-4.9f, 2.45f, -7.7f};
     show(world, "arcade's lamp", paints.iron, [&](assets::Mesh& mesh) {
         addLanternCage(mesh, placed(kLamp));
         addBar(mesh, kLamp + glm::vec3(0.0f, 0.34f, 0.0f), {kLamp.x, kCeilingY + 0.02f, kLamp.z},
@@ -73,12 +73,14 @@ void spawnArcadeLamp(ecs::World& world, const Paints& paints) {
                       {.radiusMetres = 0.12f, .powerWatts = {95.0f, 175.0f, 330.0f}});
 }
 
+constexpr glm::vec3 kFireWatts{150.0f, 68.0f, 24.0f};
+
 /// The hearth's fire: its power and its radius swell as the bellows blow.
 void spawnFire(ecs::World& world) {
     const ecs::Entity fire =
         scene::spawnLight(world, "fire", kHearth + glm::vec3(0.75f, 1.25f, 0.0f),
-                          {.radiusMetres = 0.16f, .powerWatts = {520.0f, 200.0f, 60.0f}});
-    world.add(fire, Pulse{{520.0f, 200.0f, 60.0f}, 0.16f, 0.3f, 0.2f, 4.0f});
+                          {.radiusMetres = 0.16f, .powerWatts = kFireWatts});
+    world.add(fire, Pulse{kFireWatts, 0.16f, 0.3f, 0.2f, 4.0f});
 }
 
 /// A green spark that roams the square, the arcade and the street.

@@ -65,6 +65,7 @@ void addShutters(assets::Mesh& mesh, const glm::mat4& placement) {
     const auto box = [&](const glm::vec3& centre, const glm::vec3& half) {
         scene::builtin::addBox(mesh, glm::translate(placement, centre), half);
     };
+    box({0.0f, 0.0f, 0.0f}, {0.585f, 0.75f, 0.012f});
     for (const float side : {-1.0f, 1.0f}) {
         const float x = 0.3f * side;
         box({x - 0.25f, 0.0f, 0.04f}, {0.035f, 0.75f, 0.03f});

@@ -145,11 +145,11 @@ void addLeafBlade(assets::Mesh& mesh) {
         for (uint32_t row = 0; row <= 8; ++row) {
             const float t = static_cast<float>(row) / 8.0f;
             const float width =
-                0.11f * static_cast<float>(scene::builtin::sinCosTurns(0.5 * t).sin) + 0.002f;
+                0.06f * static_cast<float>(scene::builtin::sinCosTurns(0.5 * t).sin) + 0.002f;
             for (int column = -1; column <= 1; ++column) {
                 const float x = width * static_cast<float>(column) * side;
-                mesh.positions.emplace_back(x, 0.3f * glm::abs(x) + 0.1f * t * t + 0.002f * side,
-                                            0.24f - 0.4f * t);
+                mesh.positions.emplace_back(x, 0.3f * glm::abs(x) + 0.06f * t * t + 0.002f * side,
+                                            0.12f - 0.24f * t);
             }
         }
         addGrid(mesh, first, 3, 9, false);
