@@ -23,6 +23,14 @@ std::vector<Room> rooms() {
     return all;
 }
 
+float floorAt(const glm::vec3& position) {
+    const auto above = [&](const Room& room) {
+        return position.x > room.lower.x && position.x < room.upper.x &&
+               position.z > room.lower.z && position.z < room.upper.z;
+    };
+    return above(kSquare) || above(kStreet) ? kSlabTopY : 0.0f;
+}
+
 namespace {
 
 std::vector<float> cutsAlong(const std::vector<Room>& all, int axis) {
@@ -82,7 +90,7 @@ void spawnShell(ecs::World& world, const Paints& paints) {
 void addColumn(assets::Mesh& mesh, const glm::vec3& foot) {
     std::vector<glm::vec2> profile{{0.24f, 0.0f},  {0.24f, 0.1f},   {0.24f, 0.1f},  {0.2f, 0.1f},
                                    {0.2f, 0.1f},   {0.215f, 0.13f}, {0.22f, 0.16f}, {0.215f, 0.19f},
-                                   {0.19f, 0.22f}, {0.165f, 0.24f}, {0.165f, 0.24f}};
+                                   {0.19f, 0.22f}, {0.165f, 0.24f}};
     constexpr int kSteps = 12;
     for (int i = 0; i <= kSteps; ++i) {  // the shaft swells a little
         const float t = static_cast<float>(i) / kSteps;
@@ -100,7 +108,7 @@ void addColumn(assets::Mesh& mesh, const glm::vec3& foot) {
                                              {0.25f, 2.3f}}};
     profile.insert(profile.end(), capital.begin(), capital.end());
     profile.insert(profile.end(), {{0.25f, 2.3f}, {0.001f, 2.3f}});
-    addLathe(mesh, placed(foot), profile, 40);
+    addLathe(mesh, placed(foot), profile, 28);
 }
 
 /// Bent along the edge of an arch.
@@ -118,10 +126,10 @@ void spawnArcade(ecs::World& world, const Paints& paints) {
     show(world, "arches", paints.stone, [](assets::Mesh& mesh) {
         for (int i = 0; i < kArches; ++i) {
             const float x = archWest(i) + 0.5f * kArchWidth;
-            addArch(mesh, placed({x, 0.0f, -6.2f}), {kArchWidth + 0.04f, kArchTopY + 0.02f, 0.46f});
+            addArch(mesh, placed({x, 0.0f, -6.2f}), {kArchWidth + 0.04f, kArchTopY + 0.02f, 0.42f});
             addMoulding(mesh, {x, kArchTopY - 1.02f, -5.97f}, 1.04f);
         }
-        addArch(mesh, placed({7.2f, 0.0f, -0.4f}, 90.0), {2.44f, kArchTopY + 0.02f, 0.46f});
+        addArch(mesh, placed({7.2f, 0.0f, -0.4f}, 90.0), {2.44f, kArchTopY + 0.02f, 0.42f});
     });
     show(world, "columns", paints.stone, [](assets::Mesh& mesh) {
         for (int i = 0; i <= kArches; ++i) {

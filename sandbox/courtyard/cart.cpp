@@ -67,11 +67,11 @@ void spawnCart(ecs::World& world, const Paints& paints) {
     }
     showBelow(world, cart, "cart's load", paints.saffron, [](assets::Mesh& mesh) {
         scene::builtin::addRoundedBox(mesh, placed({-0.15f, 0.68f, -0.3f}, 12.0),
-                                      {{0.24f, 0.18f, 0.3f}, 0.14f, 5, 2});
+                                      {{0.24f, 0.18f, 0.3f}, 0.14f, 3, 1});
         scene::builtin::addRoundedBox(mesh, placed({0.12f, 0.7f, 0.3f}, -20.0),
-                                      {{0.25f, 0.2f, 0.28f}, 0.15f, 5, 2});
+                                      {{0.25f, 0.2f, 0.28f}, 0.15f, 3, 1});
         scene::builtin::addRoundedBox(mesh, placed({-0.05f, 0.95f, 0.0f}, 40.0),
-                                      {{0.22f, 0.14f, 0.3f}, 0.12f, 5, 2});
+                                      {{0.22f, 0.14f, 0.3f}, 0.12f, 3, 1});
     });
 }
 

@@ -14,8 +14,8 @@ namespace lampyris::courtyard {
 namespace {
 
 void spawnCameras(ecs::World& world) {
-    scene::spawnCamera(world, "square", {6.3f, 2.7f, 5.4f}, {-2.5f, 1.45f, -2.6f},
-                       {.verticalFovRadians = math::kPi * 52.0f / 180.0f});
+    scene::spawnCamera(world, "square", {6.3f, 2.7f, 5.4f}, {-2.5f, 1.3f, -2.6f},
+                       {.verticalFovRadians = math::kPi * 49.0f / 180.0f});
     scene::spawnCamera(world, "workshop", {-7.9f, 1.9f, 2.9f}, {-11.0f, 1.25f, -1.4f},
                        {.verticalFovRadians = math::kPi / 3.0f});
     scene::spawnCamera(world, "arcade", {6.3f, 1.7f, -7.0f}, {-4.0f, 1.35f, -7.6f},

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "courtyard/floor_plan.h"
 #include "courtyard/forms.h"
 #include "courtyard/movements.h"
 #include "scene/builtin/numbers.h"
@@ -128,7 +129,7 @@ ecs::Entity spawnFigure(ecs::World& world, const Figures& figures, scene::Materi
 }
 
 void spawnWalkers(ecs::World& world, const Paints& paints) {
-    constexpr float y = 0.035f;
+    constexpr float y = kSlabTopY;
     constexpr std::array<glm::vec3, 8> kRound{{{1.0f, y, 1.0f},
                                                {-1.4f, y, 2.0f},
                                                {-3.8f, y, 1.0f},
@@ -138,12 +139,12 @@ void spawnWalkers(ecs::World& world, const Paints& paints) {
                                                {1.0f, y, -3.0f},
                                                {1.8f, y, -0.8f}}};
     constexpr std::array<glm::vec3, 12> kThrough{{{-5.6f, y, -4.6f},
-                                                  {-5.6f, y, -6.2f},
-                                                  {-5.0f, y, -7.6f},
-                                                  {-2.8f, y, -7.9f},
-                                                  {0.0f, y, -7.8f},
-                                                  {2.6f, y, -7.6f},
-                                                  {2.8f, y, -6.2f},
+                                                  {-5.6f, 0.0f, -6.2f},
+                                                  {-5.0f, 0.0f, -7.6f},
+                                                  {-2.8f, 0.0f, -7.9f},
+                                                  {0.0f, 0.0f, -7.8f},
+                                                  {2.6f, 0.0f, -7.6f},
+                                                  {2.8f, 0.0f, -6.2f},
                                                   {2.4f, y, -4.9f},
                                                   {1.0f, y, -4.7f},
                                                   {-0.6f, y, -4.9f},

@@ -84,7 +84,7 @@ void addLeg(assets::Mesh& mesh, float side, const std::array<Joint, 3>& joints) 
                                            {{x, 0.02f, 0.05f}, {0.052f, 0.125f}},
                                            {{x, 0.0f, 0.05f}, {0.002f, 0.002f}}}};
     const std::array<Bend, 2> bends{{{0.375f, 0.07f}, {0.68f, 0.06f}}};
-    addLimb(mesh, {stations, joints, bends, 20, 33});
+    addLimb(mesh, {stations, joints, bends, 16, 33});
 }
 
 void addArm(assets::Mesh& mesh, float side, const std::array<Joint, 3>& joints) {
@@ -99,7 +99,7 @@ void addArm(assets::Mesh& mesh, float side, const std::array<Joint, 3>& joints) 
                                            {{x * 1.2f, 0.8f, 0.025f}, {0.028f, 0.046f}},
                                            {{x * 1.2f, 0.74f, 0.03f}, {0.002f, 0.002f}}}};
     const std::array<Bend, 2> bends{{{0.14f, 0.1f}, {0.5f, 0.07f}}};
-    addLimb(mesh, {stations, joints, bends, 18, 33});
+    addLimb(mesh, {stations, joints, bends, 14, 31});
 }
 
 void addTorso(assets::Mesh& mesh) {
@@ -115,7 +115,7 @@ void addTorso(assets::Mesh& mesh) {
                                             {{0.0f, 0.7f, 0.0f}, {0.002f, 0.002f}}}};
     const std::array<Joint, 2> joints{kChest, kHips};
     const std::array<Bend, 1> bends{{{0.5f, 0.12f}}};
-    addLimb(mesh, {stations, joints, bends, 36, 46});
+    addLimb(mesh, {stations, joints, bends, 28, 40});
 }
 
 void addHead(assets::Mesh& mesh) {
@@ -132,7 +132,7 @@ void addHead(assets::Mesh& mesh) {
                                             {{0.0f, 1.46f, 0.0f}, {0.06f, 0.06f}}}};
     const std::array<Joint, 2> joints{kHead, kChest};
     const std::array<Bend, 1> bends{{{0.87f, 0.08f}}};
-    addLimb(mesh, {stations, joints, bends, 28, 41});
+    addLimb(mesh, {stations, joints, bends, 24, 41});
 }
 
 }  // namespace

@@ -39,6 +39,10 @@ inline constexpr Room kStreetDoor{{7.0f, 0.0f, -8.4f}, {7.4f, 2.4f, -7.2f}};   /
 /// All of the above, and the arcade's openings.
 [[nodiscard]] std::vector<Room> rooms();
 
+constexpr float kSlabTopY = 0.035f;  ///< of the paving; all other floors are at 0
+/// What one stands on there.
+[[nodiscard]] float floorAt(const glm::vec3& position);
+
 /// Where the fountain stands, and how far its rim reaches.
 inline constexpr glm::vec3 kFountain{-1.4f, 0.0f, -0.6f};
 constexpr float kFountainRadiusMetres = 1.5f;

@@ -83,12 +83,19 @@ void addArch(assets::Mesh& mesh, const glm::mat4& placement, const ArchForm& for
         return glm::vec2(radius * static_cast<float>(angle.cos),
                          form.topY - 0.02f - radius + radius * static_cast<float>(angle.sin));
     };
+    using scene::builtin::addQuad;
     const float z = 0.5f * form.depth;
+    const float top = form.topY;
+    const float spring = onArch(0).y;
+    addQuad(mesh, at(-radius, top, z), at(radius, top, z), at(radius, top, -z),
+            at(-radius, top, -z));
+    addQuad(mesh, at(radius, spring, z), at(radius, spring, -z), at(radius, top, -z),
+            at(radius, top, z));
+    addQuad(mesh, at(-radius, spring, -z), at(-radius, spring, z), at(-radius, top, z),
+            at(-radius, top, -z));
     for (int i = 0; i < kSegments; ++i) {
         const glm::vec2 a = onArch(i);
         const glm::vec2 b = onArch(i + 1);
-        const float top = form.topY;
-        using scene::builtin::addQuad;
         addQuad(mesh, at(a.x, a.y, z), at(b.x, b.y, z), at(b.x, top, z), at(a.x, top, z));
         addQuad(mesh, at(b.x, b.y, -z), at(a.x, a.y, -z), at(a.x, top, -z), at(b.x, top, -z));
         addQuad(mesh, at(a.x, a.y, -z), at(b.x, b.y, -z), at(b.x, b.y, z), at(a.x, a.y, z));

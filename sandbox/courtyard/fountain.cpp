@@ -14,7 +14,7 @@ namespace {
 using scene::builtin::placed;
 using scene::builtin::sinCosTurns;
 
-constexpr uint32_t kSides = 64;
+constexpr uint32_t kSides = 48;
 
 struct Disc {
     float radius;
@@ -110,7 +110,7 @@ void spawnWater(ecs::World& world, const Paints& paints, const char* name, const
 
 void spawnFountain(ecs::World& world, const Paints& paints) {
     show(world, "fountain", paints.stone, addBasin);
-    spawnWater(world, paints, "basin's water", {1.23f, 32}, 0.44f);
+    spawnWater(world, paints, "basin's water", {1.23f, 24}, 0.44f);
     spawnWater(world, paints, "bowl's water", {0.615f, 16}, 1.465f);
 }
 

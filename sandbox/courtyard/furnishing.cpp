@@ -72,7 +72,7 @@ void addBlade(assets::Mesh& mesh, const Pot& pot, uint32_t seed) {
 
 void addSeat(assets::Mesh& mesh, const glm::mat4& placement) {
     const auto box = [&](const glm::vec3& centre, const glm::vec3& half) {
-        scene::builtin::addRoundedBox(mesh, glm::translate(placement, centre), {half, 0.02f, 2, 1});
+        scene::builtin::addRoundedBox(mesh, glm::translate(placement, centre), {half, 0.02f, 1, 1});
     };
     for (int i = 0; i < 3; ++i)
         box({0.0f, 0.47f, -0.16f + 0.16f * static_cast<float>(i)}, {0.75f, 0.03f, 0.07f});
@@ -104,8 +104,9 @@ void addBooks(assets::Mesh& mesh, uint32_t dye) {
             const float high = 0.26f + 0.13f * scene::builtin::hashUnit(31, 3 * seed + 1);
             const float y = 0.151f + 0.5f * static_cast<float>(shelf);
             if (scene::builtin::hashBits(31, 3 * seed + 2) % 3 == dye)
-                addBlock(mesh, {kShelf.x + 0.06f, y, z},
-                         {kShelf.x + 0.28f, y + high, z + thick - 0.003f}, 0.006f);
+                scene::builtin::addBox(
+                    mesh, placed({kShelf.x + 0.17f, y + 0.5f * high, z + 0.5f * thick}),
+                    {0.11f, 0.5f * high, 0.5f * thick - 0.0015f});
             z += thick;
         }
     }
@@ -119,7 +120,7 @@ void spawnFurnishing(ecs::World& world, const Paints& paints) {
     });
     show(world, "plants", paints.leaf, [](assets::Mesh& mesh) {
         for (uint32_t i = 0; i < kPots.size(); ++i)
-            for (uint32_t blade = 0; blade < 60; ++blade) addBlade(mesh, kPots[i], 100 * i + blade);
+            for (uint32_t blade = 0; blade < 48; ++blade) addBlade(mesh, kPots[i], 100 * i + blade);
     });
     show(world, "seats", paints.wood, [](assets::Mesh& mesh) {
         addSeat(mesh, placed({-6.5f, 0.02f, -3.5f}, 90.0));

@@ -57,7 +57,7 @@ void spawnSwingingLantern(ecs::World& world, const Paints& paints) {
     });
     const ecs::Entity light =
         scene::spawnLight(world, "lantern's light", kHanging,
-                          {.radiusMetres = 0.11f, .powerWatts = {620.0f, 410.0f, 200.0f}});
+                          {.radiusMetres = 0.11f, .powerWatts = {1000.0f, 660.0f, 330.0f}});
     CHECK(ecs::setParent(world, light, pivot).ok());
 }
 
@@ -70,7 +70,7 @@ void spawnArcadeLamp(ecs::World& world, const Paints& paints) {
                0.01f);
     });
     scene::spawnLight(world, "arcade's light", kLamp,
-                      {.radiusMetres = 0.12f, .powerWatts = {95.0f, 175.0f, 330.0f}});
+                      {.radiusMetres = 0.12f, .powerWatts = {120.0f, 210.0f, 390.0f}});
 }
 
 constexpr glm::vec3 kFireWatts{150.0f, 68.0f, 24.0f};

@@ -51,7 +51,7 @@ void addLeaf(assets::Mesh& mesh, const glm::vec3& size) {
 
 /// An egg of leather; target 0 blows it up, target 1 draws it long.
 void addBellows(assets::Mesh& mesh) {
-    scene::builtin::addSphere(mesh, glm::vec3(0.0f), 0.34f, 24);
+    scene::builtin::addSphere(mesh, glm::vec3(0.0f), 0.34f, 16);
     mesh.morphTargets.resize(2);
     for (const glm::vec3& at : mesh.positions) {
         const float fold = static_cast<float>(sinCosTurns(5.0 * at.x / 0.68).cos);

@@ -13,7 +13,6 @@
 namespace lampyris::courtyard {
 namespace {
 
-constexpr float kFloorY = 0.035f;
 constexpr float kStepMetres = 0.05f;  // [chosen] under the thinnest wall, so that none is jumped
 
 void addBody(assets::Mesh& mesh) {
@@ -32,14 +31,14 @@ void addBody(assets::Mesh& mesh) {
                                              {0.06f, 0.74f},
                                              {0.06f, 0.8f}}};
     addLathe(mesh, glm::mat4(1.0f), profile, 48);
-    scene::builtin::addSphere(mesh, {0.0f, 0.88f, 0.0f}, 0.17f, 20);
+    scene::builtin::addSphere(mesh, {0.0f, 0.88f, 0.0f}, 0.17f, 12);
 }
 
 void addTrim(assets::Mesh& mesh) {
     using scene::builtin::placed;
-    scene::builtin::addTorus(mesh, placed({0.0f, 0.3f, 0.0f}), 0.29f, 0.02f, 64, 10);
+    scene::builtin::addTorus(mesh, placed({0.0f, 0.3f, 0.0f}), 0.29f, 0.02f, 40, 8);
     for (const float side : {-1.0f, 1.0f})
-        scene::builtin::addSphere(mesh, {0.07f * side, 0.91f, 0.145f}, 0.035f, 8);
+        scene::builtin::addSphere(mesh, {0.07f * side, 0.91f, 0.145f}, 0.035f, 6);
     const std::array<glm::vec3, 5> arm{{{0.2f, 0.5f, 0.0f},
                                         {0.34f, 0.55f, 0.1f},
                                         {0.4f, 0.72f, 0.22f},
@@ -51,7 +50,7 @@ void addTrim(assets::Mesh& mesh) {
         scene::builtin::addSphere(
             mesh,
             {0.17f * static_cast<float>(angle.cos), 0.07f, 0.17f * static_cast<float>(angle.sin)},
-            0.07f, 8);
+            0.07f, 6);
     }
 }
 
@@ -65,13 +64,14 @@ glm::vec3 walked(glm::vec3 from, const glm::vec2& way, float radius) {
         next = from + glm::vec3(0.0f, 0.0f, step.y);
         if (isWalkable(next, radius)) from = next;
     }
+    from.y = floorAt(from);
     return from;
 }
 
 /// The room shrunk by the radius, but for the two sides by which an opening joins its rooms:
 /// there it reaches into them.
 bool holdsWalker(const Room& room, const glm::vec3& at, float radius) {
-    if (room.lower.y > kFloorY) return false;
+    if (room.lower.y > 0.0f) return false;
     const glm::vec3 size = room.upper - room.lower;
     constexpr float kThickestWall = 0.45f;
     const float marginX = size.x < kThickestWall ? -radius : radius;
@@ -92,13 +92,13 @@ bool isWalkable(const glm::vec3& position, float radiusMetres) {
 
 void spawnPlayer(ecs::World& world, const Paints& paints) {
     const ecs::Entity player =
-        show(world, "player", paints.white, addBody, {{3.0f, kFloorY, -2.6f}});
+        show(world, "player", paints.white, addBody, {{3.0f, kSlabTopY, -2.6f}});
     world.add(player, Player{});
     showBelow(world, player, "player's trim", paints.copper, addTrim);
     constexpr glm::vec3 kLamp{0.4f, 0.92f, 0.42f};
-    showBelow(world, player, "player's lantern", paints.iron, [&](assets::Mesh& mesh) {
-        addLanternCage(mesh, glm::scale(scene::builtin::placed(kLamp), glm::vec3(0.55f)));
-    });
+    showBelow(world, player, "player's lantern", paints.iron,
+              [](assets::Mesh& mesh) { addLanternCage(mesh, glm::mat4(1.0f)); },
+              {kLamp, turned({0.0f, 1.0f, 0.0f}, 0.0), glm::vec3(0.55f)});
     const ecs::Entity light =
         scene::spawnLight(world, "player's light", kLamp,
                           {.radiusMetres = 0.05f, .powerWatts = {95.0f, 72.0f, 34.0f}});

@@ -13,7 +13,7 @@ using scene::builtin::placed;
 /// A half round tile from `top` down to `foot`, bulging upwards.
 void addTile(assets::Mesh& mesh, const glm::vec3& top, const glm::vec3& foot,
              const glm::vec3& side) {
-    constexpr uint32_t kAround = 7;
+    constexpr uint32_t kAround = 6;
     constexpr uint32_t kAlong = 3;
     const auto first = static_cast<uint32_t>(mesh.positions.size());
     const glm::vec3 up = glm::normalize(glm::cross(side, foot - top));

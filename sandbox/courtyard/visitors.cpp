@@ -84,7 +84,7 @@ void comeAsLeaf(ecs::Commands& commands, ecs::NewEntity entity, const Stock& sto
     commands.add(entity, scene::MeshInstance{stock.leaf, stock.dyes[guest.seed % 2]});
 }
 
-/// On a stand, at one of three places; a light alone would hang in the air.
+/// On the ground, at one of three places.
 void comeAsLantern(ecs::Commands& commands, ecs::NewEntity entity, const Stock& stock,
                    const Guest& guest) {
     constexpr std::array<glm::vec3, 3> kSpots{
@@ -158,20 +158,21 @@ void addLeafBlade(assets::Mesh& mesh) {
 }
 
 void addCrate(assets::Mesh& mesh) {
+    const auto box = [&](const glm::vec3& centre, const glm::vec3& half) {
+        scene::builtin::addBox(mesh, scene::builtin::placed(centre), half);
+    };
     addBlock(mesh, glm::vec3(-0.27f), glm::vec3(0.27f), 0.02f);
     for (const float x : {-0.27f, 0.27f})
         for (const float z : {-0.27f, 0.27f})
             addBlock(mesh, {x - 0.03f, -0.3f, z - 0.03f}, {x + 0.03f, 0.3f, z + 0.03f});
     for (const float y : {-0.265f, 0.265f})
         for (const float side : {-0.275f, 0.275f}) {
-            addBlock(mesh, {side - 0.02f, y - 0.03f, -0.24f}, {side + 0.02f, y + 0.03f, 0.24f},
-                     0.01f);
-            addBlock(mesh, {-0.24f, y - 0.03f, side - 0.02f}, {0.24f, y + 0.03f, side + 0.02f},
-                     0.01f);
+            box({side, y, 0.0f}, {0.02f, 0.03f, 0.24f});
+            box({0.0f, y, side}, {0.24f, 0.03f, 0.02f});
         }
 }
 
-/// Stands on three legs below its middle.
+/// On a plate.
 void addStandingLantern(assets::Mesh& mesh) {
     addLanternCage(mesh, glm::mat4(1.0f));
     scene::builtin::addCylinder(mesh, scene::builtin::placed({0.0f, -0.22f, 0.0f}), 0.16f, 0.025f,

@@ -35,7 +35,7 @@ void addCoals(assets::Mesh& mesh) {
         const glm::vec3 offset(0.05f + 0.45f * scene::builtin::hashSigned(5, 3 * i),
                                0.88f + 0.05f * scene::builtin::hashUnit(5, 3 * i + 1),
                                0.62f * scene::builtin::hashSigned(5, 3 * i + 2));
-        scene::builtin::addSphere(mesh, kHearth + offset, 0.07f, 4);
+        scene::builtin::addSphere(mesh, kHearth + offset, 0.07f, 2);
     }
 }
 
@@ -51,14 +51,14 @@ void addBarrel(assets::Mesh& mesh, const glm::vec3& foot) {
                                    {0.27f, 0.83f},
                                    {0.27f, 0.83f},
                                    {0.001f, 0.83f}});
-    addLathe(mesh, placed(foot), profile, 32);
+    addLathe(mesh, placed(foot), profile, 24);
 }
 
 void addHoops(assets::Mesh& mesh, const glm::vec3& foot) {
     for (const float y : {0.1f, 0.3f, 0.58f, 0.78f}) {
         const float t = (y - 0.44f) / 0.44f;
         scene::builtin::addTorus(mesh, placed(foot + glm::vec3(0.0f, y, 0.0f)),
-                                 0.36f - 0.07f * t * t, 0.014f, 48, 6);
+                                 0.36f - 0.07f * t * t, 0.014f, 32, 5);
     }
 }
 
@@ -103,7 +103,7 @@ void addJar(assets::Mesh& mesh, const glm::vec3& foot, float size) {
                                             {0.07f, 0.34f},
                                             {0.05f, 0.34f},
                                             {0.001f, 0.3f}}};
-    addLathe(mesh, glm::scale(placed(foot), glm::vec3(size)), profile, 32);
+    addLathe(mesh, glm::scale(placed(foot), glm::vec3(size)), profile, 20);
 }
 
 }  // namespace
@@ -111,6 +111,11 @@ void addJar(assets::Mesh& mesh, const glm::vec3& foot, float size) {
 void spawnWorkshop(ecs::World& world, const Paints& paints) {
     show(world, "hearth", paints.stone, addHearth);
     show(world, "coals", paints.darkWood, addCoals);
+    show(world, "cupboard", paints.teal, [](assets::Mesh& mesh) {
+        addBlock(mesh, {-12.2f, 0.0f, -2.99f}, {-10.8f, 1.9f, -2.45f}, 0.02f);
+        for (const float x : {-12.12f, -11.47f})
+            addBlock(mesh, {x, 0.12f, -2.46f}, {x + 0.6f, 1.8f, -2.42f}, 0.015f);
+    });
     show(world, "anvil", paints.iron, addAnvil);
     show(world, "bench", paints.wood, addBench);
     show(world, "barrels", paints.wood, [](assets::Mesh& mesh) {
