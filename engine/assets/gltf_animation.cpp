@@ -56,6 +56,16 @@ std::optional<std::pair<AnimatedProperty, size_t>> propertyOf(const std::string&
                      model.meshes[node.primitives.front().mesh].morphTargets.size()};
 }
 
+/// Whether a key turns nowhere: such are taken as no rotation.
+bool anyWithoutDirection(const AnimationSampler& sampler) {
+    const size_t key = sampler.interpolation == Interpolation::CubicSpline ? 12 : 4;
+    for (size_t i = key == 12 ? 4 : 0; i + 3 < sampler.values.size(); i += key) {
+        const float* q = &sampler.values[i];
+        if (q[0] == 0.0f && q[1] == 0.0f && q[2] == 0.0f && q[3] == 0.0f) return true;
+    }
+    return false;
+}
+
 void readChannel(const tinygltf::AnimationChannel& from, const Model& model, GltfContext& context,
                  const std::string& place, Animation& animation) {
     if (from.target_node < 0) return;  // glTF 2.0, 3.11: such a channel is for extensions
@@ -66,6 +76,9 @@ void readChannel(const tinygltf::AnimationChannel& from, const Model& model, Glt
         context.warn(place, "does not fit {} of node {}, and is left out", from.target_path, node);
         return;
     }
+    if (property->first == AnimatedProperty::Rotation &&
+        anyWithoutDirection(animation.samplers[sampler]))
+        context.warn(place, "has rotations of length 0; none stands in");
     animation.channels.push_back({sampler, node, property->first});
 }
 

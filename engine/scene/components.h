@@ -64,6 +64,14 @@ struct AnimationPlayer {
     bool loops = false;                ///< otherwise it holds its ends
 };
 
+/// Walks from waypoint to waypoint at an even pace; systems/patrol.h places it by FrameTime.
+struct Patrol {
+    std::vector<glm::vec3> waypoints;  ///< of Transform::translation
+    float metresPerSecond = 1.0f;      ///< negative: the other way
+    double startSeconds = 0.0;         ///< of FrameTime, at the first waypoint
+    bool closed = true;                ///< on from the last to the first; otherwise to and fro
+};
+
 /// A glowing sphere at the entity's origin. It neither blocks nor reflects light.
 struct SphereLight {
     float radiusMetres = 0.05f;

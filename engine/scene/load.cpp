@@ -66,7 +66,8 @@ bool namesFile(const std::string& nameOrPath) {
 core::Result<ecs::World> readScene(const std::string& nameOrPath) {
     TRY(ecs::World world, namesFile(nameOrPath) ? readFile(nameOrPath) : builtinScene(nameOrPath));
     const auto& library = world.resource<Library>();
-    world.setResource(SceneSource{nameOrPath, library.meshes().size(), library.materials().size()});
+    world.setResource(SceneSource{nameOrPath, library.meshes().size(), library.materials().size(),
+                                  library.clips().size()});
     return world;
 }
 

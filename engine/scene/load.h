@@ -15,6 +15,7 @@ struct SceneSource {
     std::string nameOrPath;
     size_t meshCount = 0;      ///< of the Library as loaded
     size_t materialCount = 0;  ///< of the Library as loaded
+    size_t clipCount = 0;      ///< of the Library as loaded
 };
 
 /// Whether it names a file, by its ending: .gltf or .glb.

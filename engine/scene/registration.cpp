@@ -117,6 +117,104 @@ core::Result<Camera> loadCamera(const json& object) {
     return camera;
 }
 
+core::Result<void> read(const json& object, const char* field, double& value) {
+    const auto found = object.find(field);
+    if (found == object.end()) return {};
+    value = found->get<double>();
+    if (!std::isfinite(value)) return core::error("\"{}\" is not finite", field);
+    return {};
+}
+
+json saveEntities(const std::vector<ecs::Entity>& entities, const ecs::SavedEntities& saved) {
+    json list = json::array();
+    for (const ecs::Entity entity : entities) list.push_back(saved.reference(entity));
+    return list;
+}
+
+core::Result<void> readEntities(const json& object, const char* field,
+                                const ecs::LoadedEntities& loaded,
+                                std::vector<ecs::Entity>& entities) {
+    for (const json& reference : object.value(field, json::array())) {
+        TRY(const ecs::Entity entity, loaded.entity(reference));
+        entities.push_back(entity);
+    }
+    return {};
+}
+
+core::Result<MorphWeights> loadMorphWeights(const json& values) {
+    MorphWeights weights{values.get<std::vector<float>>()};
+    for (const float weight : weights.values)
+        if (!std::isfinite(weight)) return core::error("a weight is not finite");
+    return weights;
+}
+
+json saveSkin(const Skin& skin, const ecs::SavedEntities& saved) {
+    std::vector<glm::mat4> inverse = skin.inverseBindMatrices;
+    inverse.resize(skin.joints.size(), glm::mat4(1.0f));
+    json matrices = json::array();
+    for (const glm::mat4& matrix : inverse)
+        for (int i = 0; i < 16; ++i) matrices.push_back(matrix[i / 4][i % 4]);
+    return {{"joints", saveEntities(skin.joints, saved)}, {"inverse_bind_matrices", matrices}};
+}
+
+core::Result<Skin> loadSkin(const json& object, const ecs::LoadedEntities& loaded) {
+    Skin skin;
+    TRY_VOID(readEntities(object, "joints", loaded, skin.joints));
+    const auto numbers = object.at("inverse_bind_matrices").get<std::vector<float>>();
+    if (numbers.size() != 16 * skin.joints.size())
+        return core::error("\"inverse_bind_matrices\" has {} numbers for {} joints", numbers.size(),
+                           skin.joints.size());
+    skin.inverseBindMatrices.resize(skin.joints.size());
+    for (size_t i = 0; i < numbers.size(); ++i) {
+        if (!std::isfinite(numbers[i]))
+            return core::error("\"inverse_bind_matrices\" is not finite");
+        skin.inverseBindMatrices[i / 16][static_cast<int>(i / 4 % 4)][static_cast<int>(i % 4)] =
+            numbers[i];
+    }
+    return skin;
+}
+
+json savePatrol(const Patrol& patrol) {
+    json waypoints = json::array();
+    for (const glm::vec3& waypoint : patrol.waypoints) waypoints.push_back(toJson(waypoint));
+    return {{"waypoints", waypoints},
+            {"metres_per_second", patrol.metresPerSecond},
+            {"start_seconds", patrol.startSeconds},
+            {"closed", patrol.closed}};
+}
+
+core::Result<Patrol> loadPatrol(const json& object) {
+    Patrol patrol;
+    for (const json& waypoint : object.value("waypoints", json::array())) {
+        glm::vec3& position = patrol.waypoints.emplace_back(0.0f);
+        TRY_VOID(readVector({{"waypoint", waypoint}}, "waypoint", position));
+    }
+    TRY_VOID(read(object, "metres_per_second", patrol.metresPerSecond));
+    TRY_VOID(read(object, "start_seconds", patrol.startSeconds));
+    patrol.closed = object.value("closed", patrol.closed);
+    return patrol;
+}
+
+json saveAnimationPlayer(const AnimationPlayer& player, const ecs::SavedEntities& saved) {
+    json object = {{"targets", saveEntities(player.targets, saved)},
+                   {"start_seconds", player.startSeconds},
+                   {"speed", player.speed},
+                   {"loops", player.loops}};
+    if (player.clip.valid()) object["clip"] = player.clip.value;
+    return object;
+}
+
+core::Result<AnimationPlayer> loadAnimationPlayer(const json& object,
+                                                  const ecs::LoadedEntities& loaded) {
+    AnimationPlayer player;
+    TRY_VOID(read(object, "clip", player.clip.value));
+    TRY_VOID(readEntities(object, "targets", loaded, player.targets));
+    TRY_VOID(read(object, "start_seconds", player.startSeconds));
+    TRY_VOID(read(object, "speed", player.speed));
+    player.loops = object.value("loops", player.loops);
+    return player;
+}
+
 }  // namespace
 
 void registerComponents(ecs::Registry& registry) {
@@ -127,6 +225,12 @@ void registerComponents(ecs::Registry& registry) {
     registry.add<MeshInstance>("mesh", saveMeshInstance, loadMeshInstance);
     registry.add<SphereLight>("sphere_light", saveSphereLight, loadSphereLight);
     registry.add<Camera>("camera", saveCamera, loadCamera);
+    registry.add<MorphWeights>(
+        "morph_weights", [](const MorphWeights& weights) { return json(weights.values); },
+        loadMorphWeights);
+    registry.add<Patrol>("patrol", savePatrol, loadPatrol);
+    registry.add<Skin>("skin", saveSkin, loadSkin);
+    registry.add<AnimationPlayer>("animation_player", saveAnimationPlayer, loadAnimationPlayer);
 }
 
 }  // namespace lampyris::scene

@@ -36,6 +36,11 @@ core::Result<void> checkReferences(const ecs::World& world, const SceneSource& s
                                drawn.material.value, source.materialCount, source.nameOrPath);
         }
     }
+    for (const auto& [entity, player] : world.view<AnimationPlayer>()) {
+        if (player.clip.valid() && player.clip.value >= source.clipCount)
+            return core::error("entity {}: clip {} is not one of the {} of {}", entity.index(),
+                               player.clip.value, source.clipCount, source.nameOrPath);
+    }
     return {};
 }
 

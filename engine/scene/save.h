@@ -9,10 +9,11 @@
 
 namespace lampyris::scene {
 
-/// { "format": "lampyris scene", "source": name or path, "world": … }. Meshes and materials are
-/// saved as their numbers in the source's Library, not by value: what was put under such a number
-/// at run time is not saved, and an entity that shows a mesh or material added at run time is an
-/// error. The world must come from loadScene or loadSavedScene.
+/// { "format": "lampyris scene", "source": name or path, "world": … }. Meshes, materials and clips
+/// are saved as their numbers in the source's Library, not by value: what was put under such a
+/// number at run time is not saved, and an entity that shows or plays one added at run time is an
+/// error. FrameTime and Motion are not saved: bring the loaded world to a time. The world must come
+/// from loadScene or loadSavedScene.
 core::Result<std::string> saveScene(const ecs::World& world);
 
 /// The way back: loads the source again for its Library and fills a world with the saved entities.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "assets/animation_sampling.h"
 #include "support/gltf_builder.h"
 
 namespace lampyris::test {
@@ -64,6 +65,53 @@ TEST(GltfAnimation, WhatMakesNoSenseIsLeftOutWithAWarning) {
         assets::Model model;
         const std::string log = logOf([&, &bent = builder] { model = bent.model(); });
         EXPECT_NE(log.find(message), std::string::npos) << log;
+        EXPECT_TRUE(model.animations.empty());
+    }
+}
+
+TEST(GltfAnimation, KeysBeforeTheStartAndRotationsOfNoLengthAreTaken) {
+    assets::Model model =
+        animated({-1, 1}, {0, 0, 0, 2, 2, 2}, "VEC3", "translation", "LINEAR").model();
+    EXPECT_EQ(assets::sampleVector(model.animations.at(0).samplers.at(0), 0.0), glm::vec3(1));
+    const std::string log = logOf([&] {
+        model = animated({0, 1}, {0, 0, 0, 0, 0, 0, 0, 1}, "VEC4", "rotation", "LINEAR").model();
+    });
+    EXPECT_NE(log.find("/animations/0/channels/0: has rotations of length 0"), std::string::npos);
+    EXPECT_EQ(assets::sampleRotation(model.animations.at(0).samplers.at(0), 0.0),
+              glm::quat(1, 0, 0, 0));
+}
+
+TEST(GltfAnimation, WhatIsMissingIsAnErrorWithItsPlace) {
+    const auto bent = [](const char* pointer) {
+        GltfBuilder builder = animated({0}, {0, 0, 0}, "VEC3", "scale", "LINEAR");
+        const Json::json_pointer place(pointer);
+        builder.json.at(place.parent_pointer()).erase(place.back());
+        return builder.error();
+    };
+    EXPECT_EQ(bent("/animations/0/channels/0/sampler"),
+              "test.gltf: /animations/0/channels/0: sampler is missing");
+    EXPECT_EQ(bent("/animations/0/channels/0/target"),
+              "test.gltf: /animations/0/channels/0: target is missing");
+    EXPECT_EQ(bent("/animations/0/channels/0/target/path"),
+              "test.gltf: /animations/0/channels/0/target: path is missing");
+    EXPECT_EQ(bent("/animations/0/samplers/0/input"),
+              "test.gltf: /animations/0/samplers/0: input is missing");
+    EXPECT_EQ(bent("/animations/0/samplers/0/output"),
+              "test.gltf: /animations/0/samplers/0: output is missing");
+    GltfBuilder empty = animated({0}, {0, 0, 0}, "VEC3", "scale", "LINEAR");
+    const int input = empty.json["animations"][0]["samplers"][0]["input"];
+    empty.json["accessors"][static_cast<size_t>(input)]["count"] = 0;
+    EXPECT_NE(empty.error().find("/accessors/"), std::string::npos) << empty.error();
+}
+
+TEST(GltfAnimation, WithoutChannelsItMovesNothing) {
+    GltfBuilder builder = animated({0}, {0, 0, 0}, "VEC3", "scale", "LINEAR");
+    for (const char* key : {"channels", "samplers"}) {
+        builder.json["animations"][0].erase(key);
+        builder.json["animations"][0]["channels"] = Json::array();
+        assets::Model model;
+        const std::string log = logOf([&] { model = builder.model(); });
+        EXPECT_NE(log.find("/animations/0: moves nothing"), std::string::npos) << log;
         EXPECT_TRUE(model.animations.empty());
     }
 }

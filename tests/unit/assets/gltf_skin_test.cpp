@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/gltf_builder.h"
 
 namespace lampyris::test {
@@ -41,6 +43,49 @@ TEST(GltfSkin, InverseBindMatricesAreColumnsFirst) {
 TEST(GltfSkin, AJointThatTheSkinHasNotIsAnError) {
     EXPECT_EQ(skinned(2).error(),
               "test.gltf: /nodes/0: mesh shape has the joint 2, and skin 0 has 2");
+}
+
+TEST(GltfSkin, AMatrixThatIsNotFiniteIsAnError) {
+    GltfBuilder builder = skinned(0);
+    std::vector<float> numbers(32, 1.0f);
+    numbers[20] = std::numeric_limits<float>::infinity();
+    builder.json["skins"][0]["inverseBindMatrices"] = builder.addFloats(numbers, "MAT4");
+    EXPECT_EQ(builder.error(), "test.gltf: /skins/0: an inverse bind matrix is not finite");
+}
+
+TEST(GltfSkin, MoreThanFourJointsOrHalfABindingAreWarnings) {
+    GltfBuilder builder = skinned(1);
+    const Json attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
+    builder.addAttribute("JOINTS_1", attributes["JOINTS_0"]);
+    assets::Model model;
+    EXPECT_NE(logOf([&] {
+                  model = builder.model();
+              }).find("/meshes/0/primitives/0: only four joints a vertex are read"),
+              std::string::npos);
+    EXPECT_EQ(model.meshes.at(0).joints.size(), 3u);
+    for (const char* half : {"JOINTS_0", "WEIGHTS_0"}) {
+        builder = skinned(1);
+        builder.json["meshes"][0]["primitives"][0]["attributes"].erase(half);
+        EXPECT_NE(logOf([&] {
+                      model = builder.model();
+                  }).find("/meshes/0/primitives/0: has only one of JOINTS_0 and WEIGHTS_0"),
+                  std::string::npos);
+        EXPECT_TRUE(model.meshes.at(0).joints.empty());
+        EXPECT_TRUE(model.meshes.at(0).weights.empty());
+    }
+}
+
+TEST(GltfSkin, WeightsThatAreNoNumbersFollowTheFirstJoint) {
+    GltfBuilder builder = skinned(1);
+    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    builder.addAttribute("WEIGHTS_0",
+                         builder.addFloats({kNone, 0, 0, 0, -1, 2, 0, 0, 0, 0, 0, 0}, "VEC4"));
+    assets::Model model;
+    EXPECT_NE(
+        logOf([&] { model = builder.model(); }).find("joint weights of 3 vertices do not sum to 1"),
+        std::string::npos);
+    for (const glm::vec4& weights : model.meshes.at(0).weights)
+        EXPECT_EQ(weights.x + weights.y + weights.z + weights.w, 1.0f);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/extract.h"
+#include "scene/motion.h"
 #include "scene/systems/world_transforms.h"
 
 namespace lampyris::scene {
@@ -142,6 +143,76 @@ TEST_F(Instantiate, DirectionalLightsAreLeftOutWithOneWarning) {
     EXPECT_EQ(std::count(warnings.begin(), warnings.end(), '\n'), 1);
     EXPECT_NE(warnings.find("file.glb"), std::string::npos);
     EXPECT_NE(warnings.find("2 left out"), std::string::npos);
+}
+
+/// sample() with two clips, and a skin on b's two meshes: joints c, and e outside the scene.
+assets::Model moving() {
+    assets::Model model = sample();
+    for (const uint32_t mesh : {0u, 1u}) {
+        model.meshes[mesh].morphTargets.resize(2);
+        model.meshes[mesh].morphWeights = {0.5f, 0.25f};
+    }
+    model.meshes[0].joints.assign(3, glm::uvec4(0));
+    model.meshes[0].weights.assign(3, glm::vec4(1, 0, 0, 0));
+    model.skins = {{"skin", {2, 4}, std::vector<glm::mat4>(2, glm::mat4(1.0f))}};
+    model.nodes[1].skin = 0;
+    using assets::AnimatedProperty;
+    assets::Animation clip{"first",
+                           {{assets::Interpolation::Linear, {1, 2}, 3, {9, 9, 9, 1, 1, 1}},
+                            {assets::Interpolation::Linear, {1}, 2, {3, 4}}},
+                           {{0, 2, AnimatedProperty::Translation},
+                            {0, 4, AnimatedProperty::Translation},
+                            {1, 1, AnimatedProperty::Weights}},
+                           2.0f};
+    model.animations = {clip, clip};
+    model.animations[1].name = "second";
+    return model;
+}
+
+TEST_F(Instantiate, AnimationsAreClipsAndTheFirstPlays) {
+    load(moving());
+    const auto& clips = world.resource<Library>().clips();
+    ASSERT_EQ(clips.size(), 2u);
+    EXPECT_EQ(clips[1]->name, "second");
+    const auto& player = world.get<AnimationPlayer>(named(world, "file"));
+    EXPECT_EQ(player.clip.value, 0u);
+    EXPECT_FALSE(player.loops);
+    EXPECT_EQ(player.targets[2], named(world, "c"));
+    EXPECT_FALSE(player.targets[4].valid());
+    advanceTo(world, 1.0, 0);
+    EXPECT_EQ(world.get<Transform>(named(world, "c")).translation, glm::vec3(9));
+    // A node's weights are those of all its primitives.
+    for (const ecs::Entity part : ecs::childrenOf(world, named(world, "b")))
+        EXPECT_EQ(world.get<MorphWeights>(part).values, (std::vector<float>{3, 4}));
+}
+
+TEST_F(Instantiate, AFileThatStandsStillHasNoPlayer) {
+    load(sample());
+    EXPECT_EQ(world.count<AnimationPlayer>(), 0u);
+    EXPECT_EQ(world.count<MorphWeights>(), 0u);
+    EXPECT_EQ(world.count<Skin>(), 0u);
+}
+
+TEST_F(Instantiate, SkinsFollowTheSceneOnly) {
+    load(moving());
+    const auto parts = ecs::childrenOf(world, named(world, "b"));
+    const auto& skin = world.get<Skin>(parts[0]);
+    EXPECT_EQ(skin.joints, (std::vector<ecs::Entity>{named(world, "c"), {}}));
+    EXPECT_FALSE(world.has<Skin>(parts[1]));
+    EXPECT_NE(warnings.find("file.glb: 1 joints are not in the scene"), std::string::npos);
+    EXPECT_NE(warnings.find("file.glb: 1 meshes have a skin but no joints"), std::string::npos);
+}
+
+TEST_F(Instantiate, TheNodesWeightsComeBeforeTheMeshs) {
+    assets::Model model = moving();
+    load(model);
+    const ecs::Entity part = ecs::childrenOf(world, named(world, "b"))[0];
+    EXPECT_EQ(world.get<MorphWeights>(part).values, (std::vector<float>{0.5f, 0.25f}));
+    model.nodes[1].morphWeights = {1, 2};
+    model.nodes[1].name = "heavy";
+    load(model);
+    const ecs::Entity heavy = ecs::childrenOf(world, named(world, "heavy"))[0];
+    EXPECT_EQ(world.get<MorphWeights>(heavy).values, (std::vector<float>{1, 2}));
 }
 
 TEST_F(Instantiate, DeepHierarchiesNeedNoStack) {
