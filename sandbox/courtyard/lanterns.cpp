@@ -57,7 +57,7 @@ void spawnSwingingLantern(ecs::World& world, const Paints& paints) {
     });
     const ecs::Entity light =
         scene::spawnLight(world, "lantern's light", kHanging,
-                          {.radiusMetres = 0.11f, .powerWatts = {1000.0f, 660.0f, 330.0f}});
+                          {.radiusMetres = 0.11f, .powerWatts = {740.0f, 510.0f, 270.0f}});
     CHECK(ecs::setParent(world, light, pivot).ok());
 }
 
@@ -70,10 +70,10 @@ void spawnArcadeLamp(ecs::World& world, const Paints& paints) {
                0.01f);
     });
     scene::spawnLight(world, "arcade's light", kLamp,
-                      {.radiusMetres = 0.12f, .powerWatts = {120.0f, 210.0f, 390.0f}});
+                      {.radiusMetres = 0.12f, .powerWatts = {95.0f, 165.0f, 290.0f}});
 }
 
-constexpr glm::vec3 kFireWatts{150.0f, 68.0f, 24.0f};
+constexpr glm::vec3 kFireWatts{84.0f, 48.0f, 21.0f};
 
 /// The hearth's fire: its power and its radius swell as the bellows blow.
 void spawnFire(ecs::World& world) {

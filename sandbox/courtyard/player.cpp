@@ -101,7 +101,7 @@ void spawnPlayer(ecs::World& world, const Paints& paints) {
               {kLamp, turned({0.0f, 1.0f, 0.0f}, 0.0), glm::vec3(0.55f)});
     const ecs::Entity light =
         scene::spawnLight(world, "player's light", kLamp,
-                          {.radiusMetres = 0.05f, .powerWatts = {95.0f, 72.0f, 34.0f}});
+                          {.radiusMetres = 0.05f, .powerWatts = {60.0f, 45.0f, 22.0f}});
     CHECK(ecs::setParent(world, light, player).ok());
 }
 
