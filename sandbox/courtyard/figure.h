@@ -1,4 +1,4 @@
-/// \file A walking figure: a skinned mesh on fourteen joints, and the clip of its stride.
+/// \file A walking figure: a skinned mesh on thirteen joints, and the clip of its stride.
 #pragma once
 
 #include <memory>
@@ -32,7 +32,7 @@ struct JointRest {
 };
 [[nodiscard]] JointRest restOf(Joint joint);
 
-/// Robe, limbs and head as tubes whose weights blend at the joints: about 6 thousand triangles.
+/// Robe, limbs and head as tubes whose weights blend at the joints: about 7 thousand triangles.
 [[nodiscard]] assets::Mesh makeFigureMesh();
 
 /// What all figures share; a resource of the world.
