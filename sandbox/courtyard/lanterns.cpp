@@ -73,7 +73,7 @@ void spawnArcadeLamp(ecs::World& world, const Paints& paints) {
                       {.radiusMetres = 0.12f, .powerWatts = {95.0f, 165.0f, 290.0f}});
 }
 
-constexpr glm::vec3 kFireWatts{84.0f, 48.0f, 21.0f};
+constexpr glm::vec3 kFireWatts{62.0f, 37.0f, 17.0f};
 
 /// The hearth's fire: its power and its radius swell as the bellows blow.
 void spawnFire(ecs::World& world) {
