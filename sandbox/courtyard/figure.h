@@ -32,7 +32,7 @@ struct JointRest {
 };
 [[nodiscard]] JointRest restOf(Joint joint);
 
-/// Robe, limbs and head as tubes whose weights blend at the joints: about 7 thousand triangles.
+/// Robe, limbs and head as tubes whose weights blend at the joints: about 8 thousand triangles.
 [[nodiscard]] assets::Mesh makeFigureMesh();
 
 /// What all figures share; a resource of the world.
