@@ -6,8 +6,8 @@
 
 namespace lampyris::sandbox {
 
-/// Any scene that scene::loadScene knows, with its animation chosen, and placed at --time. Errors
-/// name the scene or animation that is missing.
+/// The courtyard, or any scene that scene::loadScene knows, with its animation chosen, and placed
+/// at --time. Errors name the scene or animation that is missing.
 core::Result<ecs::World> openWorld(const Options& options);
 
 }  // namespace lampyris::sandbox

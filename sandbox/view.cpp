@@ -8,6 +8,7 @@
 #include "display.h"
 #include "fly_camera.h"
 #include "results.h"
+#include "steer_player.h"
 #include "window/presenter.h"
 
 namespace lampyris::sandbox {
@@ -20,6 +21,7 @@ constexpr float kSecondsAcross = 8.0f;  // [chosen] to fly from one end of the s
 constexpr float kLongestStep =
     0.25f;  // seconds; a slow frame does not throw the camera out of the scene
 constexpr double kIdleSeconds = 0.1;
+constexpr double kTimestep = 1.0 / 60.0;  // seconds a frame, where --timestep does not say
 
 class Viewer {
  public:
@@ -53,7 +55,7 @@ class Viewer {
         return !options_.report.empty() || !options_.graph.empty() || !options_.trace.empty();
     }
 
-    /// The camera follows the user, the picture the window.
+    /// The camera and the player follow the user, the picture the window.
     void follow() {
         const auto now = Clock::now();
         const float seconds =
@@ -63,6 +65,7 @@ class Viewer {
         auto& camera = loop_.request.camera;
         camera.cameraToWorld =
             fly(camera.cameraToWorld, window_.input(), across / kSecondsAcross, seconds);
+        steerPlayer(loop_.world(), camera.cameraToWorld, window_.input(), seconds);
         const VkExtent2D size = window_.framebufferSize();
         if (size.width > 0 && size.height > 0) loop_.request.size = {size.width, size.height};
     }
@@ -73,6 +76,8 @@ class Viewer {
             shown = addDisplay(frame, radiance, options_.display);
             frame.output(shown);
         };
+        loop_.seconds =
+            options_.time + static_cast<double>(number) * options_.timestep.value_or(kTimestep);
         TRY_VOID(loop_.follow());
         TRY(LoopFrame frame, loop_.tryDraw(number, false, addNodes));
         TRY(const window::Presented presented,
@@ -119,8 +124,9 @@ core::Result<void> view(const Options& options) {
 }  // namespace
 
 void addView(CLI::App& program, Command& called) {
-    auto* app = program.add_subcommand(
-        "view", "Frames in a window; W A S D Q E fly, the left mouse button turns, Escape ends");
+    auto* app = program.add_subcommand("view",
+                                       "Frames in a window; W A S D Q E fly, the left mouse button "
+                                       "turns, the arrow keys move the player, Escape ends");
     const auto options = std::make_shared<Options>();
     options->scene = kDefaultScene;
     app->add_option("scene", options->scene, "a built-in name, or a .gltf or .glb file (cornell)");

@@ -19,13 +19,6 @@ namespace lampyris::scene {
 
 namespace {
 
-bool looksLikeGltf(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".gltf" || ending == ".glb";
-}
-
 /// Neither so small nor so large that nothing can be seen of it [chosen: floats' squares hold].
 bool hasExtent(const glm::mat4& matrix) {
     glm::dvec3 lengths(glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])),
@@ -63,9 +56,15 @@ core::Result<ecs::World> readFile(const std::string& path) {
 
 }  // namespace
 
+bool namesFile(const std::string& nameOrPath) {
+    std::string ending = std::filesystem::path(nameOrPath).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".gltf" || ending == ".glb";
+}
+
 core::Result<ecs::World> readScene(const std::string& nameOrPath) {
-    TRY(ecs::World world,
-        looksLikeGltf(nameOrPath) ? readFile(nameOrPath) : builtinScene(nameOrPath));
+    TRY(ecs::World world, namesFile(nameOrPath) ? readFile(nameOrPath) : builtinScene(nameOrPath));
     const auto& library = world.resource<Library>();
     world.setResource(SceneSource{nameOrPath, library.meshes().size(), library.materials().size(),
                                   library.clips().size()});

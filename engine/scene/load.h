@@ -18,6 +18,9 @@ struct SceneSource {
     size_t clipCount = 0;      ///< of the Library as loaded
 };
 
+/// Whether it names a file, by its ending: .gltf or .glb.
+[[nodiscard]] bool namesFile(const std::string& nameOrPath);
+
 /// A built-in name, or a path that ends in .gltf or .glb. The world has a Library, a camera, a
 /// light or something emissive, something to draw, world transforms, and is at time 0. What had to
 /// be added or left out is a warning line. Errors name the scene: unknown name, broken file, no

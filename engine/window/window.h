@@ -22,6 +22,10 @@ struct WindowOptions {
 
 /// Keys by GLFW's numbers, which are ASCII for letters and digits.
 constexpr int kKeyEscape = 256;
+constexpr int kKeyRight = 262;
+constexpr int kKeyLeft = 263;
+constexpr int kKeyDown = 264;
+constexpr int kKeyUp = 265;
 constexpr int kKeyCount = 349;
 
 /// The state after the last poll(). Positions in window coordinates, from the top left.

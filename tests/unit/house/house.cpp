@@ -118,7 +118,8 @@ const std::map<std::string, std::set<std::string>>& arrows() {
         {"shared", {"math"}},
         {"lib", {}},
         {"embed", {"core"}},
-        // the program and the tests
+        // the program, its game scene and the tests
+        {"courtyard", {"scene"}},
         {"sandbox", {"everything"}},
         {"tests", {"everything"}},
     };
@@ -143,6 +144,7 @@ std::set<std::string> opened(const std::string& folder) {
 
 std::string folderOf(std::string_view path) {
     std::string top = head(path);
+    if (startsWith(path, "sandbox/courtyard/")) return "courtyard";
     if (top == "sandbox" || top == "tests") return top;
     if (top != "engine" && top != "modules" && top != "shaders") return "";
     const std::string_view rest = path.substr(top.size() + 1);

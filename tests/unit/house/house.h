@@ -18,8 +18,8 @@ const std::map<std::string, std::set<std::string>>& arrows();
 std::set<std::string> opened(const std::string& folder);
 
 /// The folder of the house that a path relative to the repository lies in:
-/// engine/scene/systems/a.cpp → scene, sandbox/run.cpp → sandbox, shaders/deferred/a.comp →
-/// deferred, shaders/shared/a.h → shared. Empty outside.
+/// engine/scene/systems/a.cpp → scene, sandbox/run.cpp → sandbox, sandbox/courtyard/a.cpp →
+/// courtyard, shaders/deferred/a.comp → deferred, shaders/shared/a.h → shared. Empty outside.
 std::string folderOf(std::string_view path);
 
 /// One #include line: the name between the quotes or brackets, and which of the two.

@@ -32,7 +32,8 @@ TEST(Includes, OfAllShadersFollowTheArrows) {
 
 TEST(Links, OfEachFolderAreItsArrow) {
     size_t folders = 0;
-    for (const std::string& file : filesBelow({"engine", "modules"}, {"CMakeLists.txt"}))
+    for (const std::string& file :
+         filesBelow({"engine", "modules", "sandbox/courtyard"}, {"CMakeLists.txt"}))
         for (const auto& [name, linked] : linkedFolders(textOf(file))) {
             ++folders;
             std::set<std::string> expected = arrows().at(name);
@@ -57,7 +58,8 @@ TEST(Includes, KnowTheFolderOfAFile) {
     EXPECT_EQ(folderOf("engine/scene/systems/a.cpp"), "scene");
     EXPECT_EQ(folderOf("modules/accel/a.h"), "accel");
     EXPECT_EQ(folderOf("shaders/shared/a.h"), "shared");
-    EXPECT_EQ(folderOf("sandbox/courtyard/a.h"), "sandbox");
+    EXPECT_EQ(folderOf("sandbox/courtyard/a.h"), "courtyard");
+    EXPECT_EQ(folderOf("sandbox/plot/a.h"), "sandbox");
     EXPECT_EQ(folderOf("engine/a.h"), "");
     EXPECT_EQ(folderOf("other/a.h"), "");
 }
@@ -135,6 +137,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Planted{"modules/photon_gi/a.cpp", "\"accel/bvh.h\"", true},
                     Planted{"modules/photons/a.cpp", "\"shared/photon.h\"", true},
                     Planted{"sandbox/a.cpp", "\"courtyard/player.h\"", true},
+                    Planted{"sandbox/courtyard/a.cpp", "\"courtyard/player.h\"", true},
+                    Planted{"sandbox/courtyard/a.cpp", "\"scene/builtin/shapes.h\"", true},
                     Planted{"sandbox/a.cpp", "\"options.h\"", true},
                     Planted{"shaders/photon_gi/a.comp", "\"photons/a.glsl\"", true},
                     Planted{"shaders/photon_gi/a.comp", "\"lib/rng.glsl\"", true},

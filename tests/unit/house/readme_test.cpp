@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 constexpr size_t kMaxLines = 60;
 
 std::vector<std::string> houseFolders() {
-    std::vector<std::string> folders = {"shaders", "sandbox", "tests"};
+    std::vector<std::string> folders = {"shaders", "sandbox", "sandbox/courtyard", "tests"};
     for (const char* room : {"engine", "modules"})
         for (const auto& entry : fs::directory_iterator(root() / room))
             if (entry.is_directory())
