@@ -66,7 +66,7 @@ Renderer::Renderer(execute::Executor& executor)
 
 core::Result<void> Renderer::update(const scene::SceneSnapshot& snapshot) {
     TRY_VOID(scene_.update(snapshot));
-    TRY_VOID(accel_.update(snapshot));
+    TRY_VOID(accel_.update(snapshot, &eyeWorld_));
     emitters_ = photons::listEmitters(snapshot.lights, scene_.emitters());
     // Sums of counters that only grow: any change is a change of the sum.
     sceneVersion_ = 1 + snapshot.geometryVersion + snapshot.materialVersion + snapshot.lightVersion;
@@ -109,7 +109,9 @@ DrawnFrame Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
     makeRoom(request);
     FrameInputs in;
     in.scene = residency::importScene(frame, scene_);
-    in.accel = accel::importAccel(frame, accel_);
+    in.accel = accel::importAccel(frame, accel_, in.scene);
+    treeQuality_ = in.accel.quality;
+    eyeWorld_ = glm::vec3(request.camera.cameraToWorld[3]);
     in.draws = scene_.draws();
     in.paths = split_;
     in.view = deferred::makeView(request.camera, request.size);
@@ -170,6 +172,7 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
     runOptions.readBackBuffers.push_back(drawn.lightReach);
     runOptions.readBackBuffers.insert(runOptions.readBackBuffers.end(), drawn.ledgers.begin(),
                                       drawn.ledgers.end());
+    if (treeQuality_.valid()) runOptions.readBackBuffers.push_back(treeQuality_);
     for (const graph::Buffer buffer : runOptions.readBackBuffers) frame.output(buffer);
 
     Outcome outcome;
@@ -178,6 +181,10 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
     TRY(auto result, executor_->run(frame, outcome.graph, runOptions));
     outcome.statistics = std::move(result.statistics);
     if (!result.images.empty()) outcome.image = execute::toImage(result.images.front());
+    if (treeQuality_.valid()) {
+        accel_.learn(result.buffers.back());
+        result.buffers.pop_back();
+    }
     const auto importance = readReport(drawn, result.buffers, outcome.report);
     outcome.report.paths = drawn.ledgers.empty() ? 0 : split_.paths;
     TRY(const bool lacking, grow(outcome.report.counters));

@@ -83,6 +83,8 @@ class Renderer {
         glm::mat4 worldToClip{1.0f};
     };
     Drawn drawn_;
+    glm::vec3 eyeWorld_{0.0f};             ///< of the last frame's camera
+    graph::Buffer treeQuality_;            ///< of the declared frame
     uint64_t sceneVersion_ = 0;            ///< of the last update()
     uint32_t largestBatch_ = 0xffffffffu;  ///< paths; halved while a batch's pairs do not fit
     uint32_t lastBatch_ = 0;               ///< the largest of the last frame
