@@ -62,7 +62,8 @@ struct FixedFunction {
         const bool hasDepth = options.depth != VK_FORMAT_UNDEFINED;
         depth.depthTestEnable = hasDepth && options.depthTest ? VK_TRUE : VK_FALSE;
         depth.depthWriteEnable = hasDepth && options.depthWrite ? VK_TRUE : VK_FALSE;
-        depth.depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL;
+        depth.depthCompareOp =
+            options.depthEqual ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
         VkPipelineColorBlendAttachmentState writeAll{};
         writeAll.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                                   VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;

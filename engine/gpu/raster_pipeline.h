@@ -24,6 +24,7 @@ struct RasterPipelineOptions {
     VkFormat depth = VK_FORMAT_UNDEFINED;
     bool depthTest = true;  ///< greater or equal passes
     bool depthWrite = true;
+    bool depthEqual = false;  ///< only equal passes
     bool lines = false;
     std::string name{};
 };

@@ -57,6 +57,7 @@ struct RasterPipeline {
     std::vector<VertexAttribute> attributes;
     bool depthTest = true;  ///< reversed: greater or equal passes
     bool depthWrite = true;
+    bool depthEqual = false;  ///< what is tested passes only where it is equal
     bool lines = false;
 };
 

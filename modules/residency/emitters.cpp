@@ -59,8 +59,9 @@ glm::vec3 radianceOf(const scene::SceneSnapshot& snapshot, const assets::Mesh& m
     return material.emissiveRadiance * meanTexel(use, image, uv);
 }
 
-EmitterTriangle triangleOf(const assets::Mesh& mesh, const Placement& placement, size_t triangle) {
-    const auto position = corners(mesh.positions, mesh, triangle);
+EmitterTriangle triangleOf(const std::vector<glm::vec3>& positions, const assets::Mesh& mesh,
+                           const Placement& placement, size_t triangle) {
+    const auto position = corners(positions, mesh, triangle);
     std::array<glm::vec3, 3> world;
     for (size_t i = 0; i < 3; ++i)
         world[i] = glm::vec3(placement.objectToWorld * glm::vec4(position[i], 1.0f));
@@ -86,12 +87,15 @@ void addEmitter(EmitterTable& table, const scene::SceneSnapshot& snapshot, uint3
     const auto placement = placementOf(instance.objectToWorld);
     if (!placement) return;
     const uint32_t flags = instanceFlags(material, *placement);
+    const auto posed =
+        instance.pose ? scene::posedVertices(mesh, *instance.pose) : scene::PosedVertices{};
+    const auto& positions = instance.pose ? posed.positions : mesh.positions;
     const double sides = material.doubleSided ? 2.0 : 1.0;
     const size_t first = table.triangles.size();
     glm::dvec3 power(0.0);
     std::vector<double> cumulative;
     for (size_t i = 0; i < mesh.triangleCount(); ++i) {
-        EmitterTriangle triangle = triangleOf(mesh, *placement, i);
+        EmitterTriangle triangle = triangleOf(positions, mesh, *placement, i);
         triangle.radiance = radianceOf(snapshot, mesh, material, i);
         const glm::dvec3 part =
             glm::dvec3(triangle.radiance) * (glm::pi<double>() * triangle.areaSquareMetres * sides);

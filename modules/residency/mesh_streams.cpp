@@ -106,6 +106,25 @@ MeshStreams::Entry MeshStreams::place(const assets::Mesh& mesh) {
     return entry;
 }
 
+PosedRange MeshStreams::takePosed(const assets::Mesh& mesh) {
+    PosedRange range;
+    range.vertexCount = static_cast<uint32_t>(mesh.positions.size());
+    range.tangentCount = static_cast<uint32_t>(mesh.tangents.size());
+    range.firstVertex = static_cast<uint32_t>(streams_[Positions].ranges.take(range.vertexCount));
+    const uint64_t firstNormal = streams_[Normals].ranges.take(range.vertexCount);
+    CHECK(firstNormal == range.firstVertex);
+    if (range.tangentCount > 0)
+        range.firstTangent =
+            static_cast<uint32_t>(streams_[Tangents].ranges.take(range.tangentCount));
+    return range;
+}
+
+void MeshStreams::givePosed(const PosedRange& range) {
+    streams_[Positions].ranges.give(range.firstVertex, range.vertexCount);
+    streams_[Normals].ranges.give(range.firstVertex, range.vertexCount);
+    streams_[Tangents].ranges.give(range.firstTangent, range.tangentCount);
+}
+
 core::Result<void> MeshStreams::writeNeutral(Loading& loading) {
     for (size_t i = 0; i < Count; ++i) {
         const auto bytes = std::as_bytes(std::span(&kKinds[i].neutral, 1));
@@ -139,10 +158,10 @@ core::Result<uint64_t> MeshStreams::follow(const scene::SceneSnapshot& snapshot)
             added.emplace(mesh.version, mesh.value.get()).second)
             entries_[mesh.version] = place(*mesh.value);
     const bool first = streams_[0].buffer.bytes() == 0;
-    if (added.empty() && !first) return uint64_t{0};
     for (size_t i = 0; i < Count; ++i)
         TRY_VOID(
             streams_[i].buffer.reserve(streams_[i].ranges.capacity() * kKinds[i].elementBytes));
+    if (added.empty() && !first) return uint64_t{0};
     TRY(Loading loading, Loading::begin(*device_));
     if (first) TRY_VOID(writeNeutral(loading));
     uint64_t sum = 0;

@@ -12,6 +12,14 @@
 
 namespace lampyris::residency {
 
+/// The part of positions, normals and tangents that one deformed instance has to itself.
+struct PosedRange {
+    uint32_t firstVertex = 0;
+    uint32_t vertexCount = 0;
+    uint32_t firstTangent = shared::SCENE_NONE;
+    uint32_t tangentCount = 0;
+};
+
 /// Streams begin with one neutral element, which stands in where a mesh lacks the attribute.
 class MeshStreams {
  public:
@@ -20,8 +28,13 @@ class MeshStreams {
     explicit MeshStreams(Device& device);
 
     /// Loads meshes whose version is new and forgets those that are gone; waits for the device
-    /// where there are any. \return the bytes sent.
+    /// where there are any, or where streams grow. \return the bytes sent.
     core::Result<uint64_t> follow(const scene::SceneSnapshot& snapshot);
+
+    /// Room for a mesh's vertices once more, there from the next follow() on. Their contents are
+    /// the taker's.
+    [[nodiscard]] PosedRange takePosed(const assets::Mesh& mesh);
+    void givePosed(const PosedRange& range);
 
     /// Where a mesh of the last snapshot stands.
     [[nodiscard]] const MeshRange& range(uint64_t meshVersion) const;

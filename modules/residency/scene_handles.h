@@ -19,7 +19,7 @@ struct SceneHandles {
     graph::Buffer indices;    ///< uint32, also texels R32Uint; relative to the mesh's first vertex
     graph::Buffer positions;  ///< 3 floats a vertex, object space, as posed in this frame
     graph::Buffer normals;    ///< 3 floats a vertex, as posed
-    graph::Buffer positionsBefore;  ///< of posed instances, as they were in the frame before
+    graph::Buffer positionsBefore;  ///< of reposed instances, as they were in the frame before
     graph::Buffer tangents;         ///< 4 floats a vertex, where a mesh has them
     graph::Buffer texcoords;        ///< 4 floats a vertex: both sets, where a mesh has them
     graph::Buffer colours;          ///< 4 floats a vertex, where a mesh has them
@@ -57,7 +57,8 @@ struct DrawItem {
     bool moved = false;
     glm::mat4 objectToWorldBefore{1.0f};
     bool posed = false;                      ///< it has vertices of its own
-    uint64_t positionBeforeOffsetBytes = 0;  ///< posed: into SceneHandles::positionsBefore
+    bool reposed = false;                    ///< and they moved; else they were where they are
+    uint64_t positionBeforeOffsetBytes = 0;  ///< reposed: into SceneHandles::positionsBefore
 };
 
 /// A deformed instance of the last snapshot: its vertices are its own.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gpu/device.h"
+#include "residency/draw_list.h"
 #include "residency/emitters.h"
 #include "residency/entry_buffer.h"
 #include "residency/mesh_streams.h"
@@ -14,6 +15,7 @@ struct SceneOnGpu::Parts {
     explicit Parts(gpu::Device& on)
         : device(&on),
           meshes(on),
+          posed(on),
           textures(on),
           instances(on, "instances"),
           materials(on, "materials"),
@@ -25,10 +27,10 @@ struct SceneOnGpu::Parts {
     core::Result<void> updateMaterials(const scene::SceneSnapshot& snapshot);
     core::Result<void> updateLights(const scene::SceneSnapshot& snapshot);
     core::Result<void> updateEmitters(const scene::SceneSnapshot& snapshot);
-    void listDraws(const scene::SceneSnapshot& snapshot);
 
     gpu::Device* device;
     MeshStreams meshes;
+    PosedInstances posed;
     TextureImages textures;
     EntryBuffer<shared::GpuInstance> instances;
     EntryBuffer<shared::GpuMaterial> materials;
@@ -37,8 +39,7 @@ struct SceneOnGpu::Parts {
     ResidentBuffer emitterTriangles;
     std::vector<uint64_t> emitterSignature{~uint64_t{0}};  ///< of no scene: the first update builds
     std::vector<shared::GpuEmitter> emitterEntries;
-    std::vector<DrawItem> draws;
-    std::vector<PosedInstance> posed;
+    DrawList draws;
     UploadCounts uploaded;
     SceneHandles counts;  ///< only the numbers
     uint64_t geometryVersion = ~uint64_t{0};
@@ -55,8 +56,9 @@ core::Result<void> SceneOnGpu::Parts::updateInstances(const scene::SceneSnapshot
     };
     const auto pack = [&](size_t i) {
         const auto& instance = snapshot.instances[i];
+        const MeshRange& mesh = meshes.range(snapshot.meshes[instance.mesh].version);
         return packInstance(instance, *snapshot.materials[instance.material].value,
-                            meshes.range(snapshot.meshes[instance.mesh].version));
+                            posed.rangeOf(instance, mesh));
     };
     TRY(uploaded.instanceBytes, instances.follow(snapshot.instances.size(), keyOf, pack));
     counts.anyMasked = std::any_of(
@@ -119,32 +121,6 @@ core::Result<void> SceneOnGpu::Parts::updateEmitters(const scene::SceneSnapshot&
     return {};
 }
 
-void SceneOnGpu::Parts::listDraws(const scene::SceneSnapshot& snapshot) {
-    using Streams = MeshStreams;
-    const auto offset = [](uint32_t first, Streams::Stream stream) {
-        return first == shared::SCENE_NONE ? 0 : first * Streams::elementBytes(stream);
-    };
-    draws.clear();
-    for (uint32_t i = 0; i < snapshot.instances.size(); ++i) {
-        const auto& instance = snapshot.instances[i];
-        const MeshRange& range = meshes.range(snapshot.meshes[instance.mesh].version);
-        if (range.indexCount == 0) continue;
-        draws.push_back({.instance = i,
-                         .material = instance.material,
-                         .indexCount = range.indexCount,
-                         .indexOffsetBytes = offset(range.firstIndex, Streams::Indices),
-                         .positionOffsetBytes = offset(range.firstVertex, Streams::Positions),
-                         .normalOffsetBytes = offset(range.firstVertex, Streams::Normals),
-                         .tangentOffsetBytes = offset(range.firstTangent, Streams::Tangents),
-                         .texcoordOffsetBytes = offset(range.firstTexcoord, Streams::Texcoords),
-                         .colourOffsetBytes = offset(range.firstColour, Streams::Colours),
-                         .hasTangents = range.firstTangent != shared::SCENE_NONE,
-                         .hasTexcoords = range.firstTexcoord != shared::SCENE_NONE,
-                         .hasColours = range.firstColour != shared::SCENE_NONE,
-                         .textured = snapshot.materials[instance.material].value->textured()});
-    }
-}
-
 SceneOnGpu::SceneOnGpu(gpu::Device& device) : parts_(std::make_unique<Parts>(device)) {}
 SceneOnGpu::~SceneOnGpu() = default;
 SceneOnGpu::SceneOnGpu(SceneOnGpu&&) noexcept = default;
@@ -156,7 +132,11 @@ core::Result<void> SceneOnGpu::update(const scene::SceneSnapshot& snapshot) {
     const bool geometry = snapshot.geometryVersion != p.geometryVersion;
     const bool material = snapshot.materialVersion != p.materialVersion;
     if (geometry) {
+        p.posed.place(snapshot, p.meshes);
         TRY(p.uploaded.geometryBytes, p.meshes.follow(snapshot));
+        TRY(p.uploaded.poseBytes, p.posed.load(snapshot, p.meshes));
+    } else {
+        p.posed.settle();
     }
     if (material) {
         TRY(p.uploaded.textureBytes, p.textures.follow(snapshot));
@@ -165,7 +145,9 @@ core::Result<void> SceneOnGpu::update(const scene::SceneSnapshot& snapshot) {
     if (geometry || material) {
         TRY_VOID(p.updateInstances(snapshot));
         TRY_VOID(p.updateEmitters(snapshot));
-        p.listDraws(snapshot);
+        p.draws.follow(snapshot, p.meshes, p.posed);
+    } else {
+        p.draws.settle(snapshot);
     }
     if (snapshot.lightVersion != p.lightVersion) TRY_VOID(p.updateLights(snapshot));
     p.geometryVersion = snapshot.geometryVersion;
@@ -191,16 +173,17 @@ SceneHandles SceneOnGpu::import(graph::Frame& frame) {
     handles.tangents = stream(MeshStreams::Tangents);
     handles.texcoords = stream(MeshStreams::Texcoords);
     handles.colours = stream(MeshStreams::Colours);
+    p.posed.import(frame, handles);
     handles.colourTextures = p.textures.importColour(frame);
     handles.dataTextures = p.textures.importData(frame);
     return handles;
 }
 
 const std::vector<DrawItem>& SceneOnGpu::draws() const {
-    return parts_->draws;
+    return parts_->draws.items();
 }
 const std::vector<PosedInstance>& SceneOnGpu::posed() const {
-    return parts_->posed;
+    return parts_->posed.list();
 }
 const std::vector<shared::GpuEmitter>& SceneOnGpu::emitters() const {
     return parts_->emitterEntries;
@@ -218,8 +201,8 @@ gpu::Device& SceneOnGpu::device() const {
 
 uint64_t SceneOnGpu::deviceBytes() const {
     const Parts& p = *parts_;
-    return p.meshes.bytes() + p.textures.bytes() + p.instances.bytes() + p.materials.bytes() +
-           p.lights.bytes() + p.emitters.bytes() + p.emitterTriangles.bytes();
+    return p.meshes.bytes() + p.posed.bytes() + p.textures.bytes() + p.instances.bytes() +
+           p.materials.bytes() + p.lights.bytes() + p.emitters.bytes() + p.emitterTriangles.bytes();
 }
 
 void bindMaterials(graph::ComputeNode& node, const SceneHandles& scene) {

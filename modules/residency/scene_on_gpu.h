@@ -20,14 +20,15 @@ namespace lampyris::residency {
 /// Bytes sent to the device by the last update(), by what they are.
 struct UploadCounts {
     uint64_t geometryBytes = 0;
+    uint64_t poseBytes = 0;  ///< rest vertices, once a mesh; joints and weights that changed
     uint64_t textureBytes = 0;
     uint64_t instanceBytes = 0;
     uint64_t materialBytes = 0;
     uint64_t lightBytes = 0;
     uint64_t emitterBytes = 0;
     [[nodiscard]] uint64_t total() const {
-        return geometryBytes + textureBytes + instanceBytes + materialBytes + lightBytes +
-               emitterBytes;
+        return geometryBytes + poseBytes + textureBytes + instanceBytes + materialBytes +
+               lightBytes + emitterBytes;
     }
 };
 
@@ -41,12 +42,13 @@ class SceneOnGpu {
     SceneOnGpu& operator=(SceneOnGpu&&) noexcept;
 
     /// Follows the snapshot. New meshes and images go over at once (waits for the device);
-    /// instances, materials, lights and emitters that changed are kept for this frame's `upload…`
-    /// nodes. Errors name the limit that the scene exceeds: texture layers, texels of a buffer,
-    /// memory.
+    /// instances, materials, lights, poses and emitters that changed are kept for this frame's
+    /// `upload…` nodes. Errors name the limit that the scene exceeds: texture layers, texels of a
+    /// buffer, memory.
     core::Result<void> update(const scene::SceneSnapshot& snapshot);
 
-    /// Declares the scene in a frame, with `upload…` nodes for what update() found changed.
+    /// Declares the scene in a frame, with `upload…` nodes for what update() found changed, and
+    /// `morph` and `skin` where poses did.
     [[nodiscard]] SceneHandles import(graph::Frame& frame);
 
     /// What raster nodes draw, in the order of the instances.

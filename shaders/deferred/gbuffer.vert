@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "lib/place.glsl"
 #include "shared/gbuffer.h"
-#include "shared/scene.h"
 #include "shared/view.h"
 
 layout(set = 0, binding = SLOT_VIEW) uniform ViewBlock { View view; };
@@ -14,6 +14,7 @@ layout(location = STREAM_TANGENT) in vec4 tangent;
 layout(location = STREAM_TEXCOORDS) in vec4 texcoords;
 layout(location = STREAM_COLOUR) in vec4 colour;
 
+invariant gl_Position;  // motion.vert lies on the same depths
 layout(location = 0) out vec3 positionWorldOut;
 layout(location = 1) out vec3 normalWorldOut;
 layout(location = 2) out vec4 tangentWorldOut;
@@ -22,8 +23,7 @@ layout(location = 4) out vec4 colourOut;
 
 void main() {
     GpuInstance i = instances[drawn.instance];
-    vec4 p = vec4(position, 1.0);
-    positionWorldOut = vec3(dot(i.objectToWorld0, p), dot(i.objectToWorld1, p), dot(i.objectToWorld2, p));
+    positionWorldOut = placed(position, i.objectToWorld0, i.objectToWorld1, i.objectToWorld2);
     // Normals go by the inverse transpose, tangents by the matrix itself.
     normalWorldOut = normal.x * i.worldToObject0.xyz + normal.y * i.worldToObject1.xyz + normal.z * i.worldToObject2.xyz;
     float handedness = (i.flags & INSTANCE_MIRRORED) != 0u ? -tangent.w : tangent.w;

@@ -39,10 +39,10 @@ struct GpuInstance {
     uint material;       // into the materials
     uint flags;          // INSTANCE_…
     uint firstIndex;     // of the mesh, into the indices
-    uint firstVertex;    // of the mesh, into positions and normals
+    uint firstVertex;    // of the mesh, or of the posed instance, into positions and normals
     uint firstTexcoord;  // the mesh's first vertex in the texcoord stream, or SCENE_NONE
     uint firstColour;    // … in the colour stream, or SCENE_NONE
-    uint firstTangent;   // … in the tangent stream, or SCENE_NONE
+    uint firstTangent;   // of the mesh, or of the posed instance, in the tangent stream, or SCENE_NONE
     uint entity;         // ecs::Entity bits
 };
 

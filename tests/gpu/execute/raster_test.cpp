@@ -125,6 +125,33 @@ TEST_F(RasterTest, LaterNodesDrawOnWhatIsThere) {
     EXPECT_EQ(execute::toImage(result.images[0]).at(2, 2, 0), 0.75f);
 }
 
+TEST_F(RasterTest, MayDrawOnlyWhatLiesOnTheSurface) {
+    graph::Frame frame;
+    Targets targets = draw(frame, {{0.75f, 0.0f}});
+    auto node = frame.raster("on it", kSize);
+    const auto vertices = import(frame, vertices_);
+    targets.colour = node.colour(0, targets.colour);
+    targets.id = node.colour(1, targets.id);
+    node.testDepth(targets.depth).vertices(vertices).read(0, import(frame, tints_));
+    auto equal = pipeline_;
+    equal.depthWrite = false;
+    equal.depthEqual = true;
+    node.record({&shaders::triangleVert, &shaders::triangleFrag}, [=](graph::RasterCommands&
+                                                                          commands) {
+        for (const Shift& shift : {Shift{0.1f, -0.25f}, Shift{0.2f, 0.0f}, Shift{0.3f, 0.25f}}) {
+            graph::Draw one;
+            one.pipeline = &equal;
+            one.streams = {vertices};
+            one.count = 3;
+            one.pushConstants(TrianglePush{{shift.red, 1, 1, 1}, {0, 0, shift.depth, 0}});
+            commands.draw(one);
+        }
+    });
+    frame.output(targets.colour);
+    const auto result = run(frame, {.readBackImages = {targets.colour}});
+    EXPECT_NEAR(execute::toImage(result.images[0]).at(2, 2, 0), 0.2f, 1e-3f);
+}
+
 TEST_F(RasterTest, BuffersThatWereNotDeclaredAreRefused) {
     graph::Frame frame;
     auto node = frame.raster("sly", kSize);
