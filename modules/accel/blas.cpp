@@ -63,7 +63,8 @@ core::Result<Blas> buildPosedBlas(TreeBuilder& builder, const Triangles& posed,
     blas.tree.bounds = bounds;
     blas.tree.grid = gridAround(bounds);
     blas.triangles.resize(blas.tree.order.size());
-    blas.dropped = refitOnCpu({blas.tree, 0, 0, blas.triangles}, posed);
+    const auto corners = leafCorners(blas.tree, posed.indices);
+    blas.dropped = refitOnCpu({blas.tree, 0, 0, blas.triangles, corners}, posed.positions).dropped;
     return blas;
 }
 

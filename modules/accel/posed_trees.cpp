@@ -153,7 +153,10 @@ core::Result<void> PosedTrees::send(std::vector<Arrival>& arrivals) {
                            tree.range.firstTriangle * sizeof(LeafTriangle),
                            bytesOf(blas.triangles)));
         }
-        if (onCpu_) tree.tree = std::move(blas.tree);
+        if (onCpu_) {
+            tree.corners = leafCorners(blas.tree, tree.mesh->indices);
+            tree.tree = std::move(blas.tree);
+        }
         if (!arrival.first) tree.poseVersion = ~uint64_t{0};  // its pose is some frames old
     }
     return loading ? loading->finish() : core::Result<void>{};
@@ -181,10 +184,12 @@ core::Result<void> PosedTrees::refitNow(Posed& tree, const scene::Pose& pose) {
     const auto start = Clock::now();
     tree.tree.grid = tree.place.grid;
     const std::span triangles(reinterpret_cast<LeafTriangle*>(room.data()), tree.range.triangles);
-    tree.dropped = refitOnCpu({tree.tree, static_cast<uint32_t>(tree.range.firstNode),
-                               static_cast<uint32_t>(tree.range.firstTriangle), triangles},
-                              {positions, tree.mesh->indices});
-    tree.cost = costOf(tree.tree);
+    const RefitQuality quality =
+        refitOnCpu({tree.tree, static_cast<uint32_t>(tree.range.firstNode),
+                    static_cast<uint32_t>(tree.range.firstTriangle), triangles, tree.corners},
+                   positions);
+    tree.dropped = quality.dropped;
+    tree.cost = quality.cost;
     counts_.refitMilliseconds += millisecondsSince(start);
     return store_->nodes.stage(tree.range.firstNode * sizeof(Node), bytesOf(tree.tree.nodes));
 }
@@ -219,9 +224,11 @@ void PosedTrees::learn(std::span<const std::byte> quality) {
 void PosedTrees::sumUp() {
     counts_.dropped = 0;
     counts_.costRatioMax = 1.0;
+    wanting_ = false;
     for (const auto& [entity, tree] : trees_) {
         counts_.dropped += tree.dropped;
         counts_.costRatioMax = std::max(counts_.costRatioMax, tree.ratio());
+        if (!tree.rebuild && tree.ratio() > policy_.costRatio) wanting_ = true;
     }
 }
 

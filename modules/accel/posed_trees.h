@@ -40,7 +40,7 @@ class PosedTrees {
                               std::span<const residency::PosedInstance> posed,
                               const glm::vec3* eyeWorld);
     /// Whether follow() has something to do although no instance changed.
-    [[nodiscard]] bool busy() const { return inFlight_ > 0; }
+    [[nodiscard]] bool busy() const { return inFlight_ > 0 || wanting_; }
 
     [[nodiscard]] const BlasPlace& place(ecs::Entity entity) const;
     /// What the device must refit in this frame; to be asked once a frame.
@@ -57,7 +57,8 @@ class PosedTrees {
         uint64_t poseVersion = 0;  ///< that the boxes are for
         TreeRange range;
         BlasPlace place;
-        Tree tree;  ///< absolute links; without nodes where the device refits
+        Tree tree;                      ///< absolute links; without nodes where the device refits
+        std::vector<uint32_t> corners;  ///< of leafCorners(), likewise
         std::vector<uint32_t> levels;
         uint32_t nodes = 0;
         double builtCost = 0.0, cost = 0.0;
@@ -101,7 +102,8 @@ class PosedTrees {
     std::map<uint32_t, Posed> trees_;  ///< by entity
     std::vector<Asked> asked_;         ///< by the last takeJobs()
     uint64_t frame_ = 0;
-    uint32_t inFlight_ = 0;
+    uint32_t inFlight_ = 0;  ///< rebuilds
+    bool wanting_ = false;   ///< a tree is bad and not yet being rebuilt
     PosedCounts counts_;
 };
 

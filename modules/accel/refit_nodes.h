@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "accel/refit_cpu.h"
 #include "accel/refit_slots.h"
 #include "graph/frame.h"
 
@@ -40,11 +41,6 @@ struct Refitted {
 /// Nodes `refit_clear`, `refit_leaves`, `refit_levels/…` and `refit_sah`. There must be a job.
 [[nodiscard]] Refitted addRefit(graph::Frame& frame, const RefitBuffers& buffers,
                                 std::span<const RefitJob> jobs);
-
-struct RefitQuality {
-    uint32_t dropped = 0;  ///< triangles without area
-    double cost = 0.0;     ///< as costOf()
-};
 
 /// What Refitted::quality held, a job each.
 /// \param nodes  of each job's tree

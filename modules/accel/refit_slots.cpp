@@ -3,6 +3,8 @@
 namespace lampyris::accel {
 namespace {
 
+constexpr uint32_t kLeafSizes = 4;  // triangles of the largest leaf
+
 /// By node: 1 above leaves alone, else one more than the higher child.
 std::vector<uint32_t> heightsOf(const Tree& tree, uint32_t firstNode) {
     std::vector<uint32_t> heights(tree.nodes.size());
@@ -24,19 +26,21 @@ RefitSlots listSlots(const Tree& tree, uint32_t firstNode) {
         const Node& node = tree.nodes[texel / 2];
         return texel % 2 == 0 ? node.leftLink : node.rightLink;
     };
-    const auto levelOf = [&](uint32_t texel) {
+    // Leaves by their size too: lanes of a SIMD device then loop equally long.
+    const auto keyOf = [&](uint32_t texel) {
         const uint32_t link = linkOf(texel);
-        return isLeaf(link) ? 0 : heights[linkIndex(link) - firstNode];
+        return isLeaf(link) ? leafCount(link) - 1
+                            : kLeafSizes - 1 + heights[linkIndex(link) - firstNode];
     };
     // Counting sort; the root is nobody's child, so levels end below its height.
     const auto count = static_cast<uint32_t>(2 * tree.nodes.size());
-    slots.levels.assign(heights[0] + 1, 0);
-    for (uint32_t texel = 0; texel < count; ++texel) ++slots.levels[levelOf(texel) + 1];
-    for (size_t level = 1; level < slots.levels.size(); ++level)
-        slots.levels[level] += slots.levels[level - 1];
-    std::vector<uint32_t> next(slots.levels);
+    std::vector<uint32_t> next(heights[0] + kLeafSizes, 0);
+    for (uint32_t texel = 0; texel < count; ++texel) ++next[keyOf(texel) + 1];
+    for (size_t key = 1; key < next.size(); ++key) next[key] += next[key - 1];
+    slots.levels.assign(next.begin() + kLeafSizes - 1, next.end());
+    slots.levels[0] = 0;
     slots.texels.resize(count);
-    for (uint32_t texel = 0; texel < count; ++texel) slots.texels[next[levelOf(texel)]++] = texel;
+    for (uint32_t texel = 0; texel < count; ++texel) slots.texels[next[keyOf(texel)]++] = texel;
     return slots;
 }
 

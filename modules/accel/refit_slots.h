@@ -10,7 +10,7 @@
 namespace lampyris::accel {
 
 /// Every child texel of a tree (2 · node, 1 more for the right), relative to the tree's first:
-/// leaves first, then inner children by height.
+/// leaves first, by their size, then inner children by height.
 struct RefitSlots {
     std::vector<uint32_t> texels;
     /// Where each level begins, and the end: level 0 are the leaves, level k inner nodes of which

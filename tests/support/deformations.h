@@ -59,7 +59,8 @@ inline uint32_t refitTo(accel::Blas& blas, const assets::Mesh& mesh,
                         const std::vector<glm::vec3>& positions) {
     blas.tree.bounds = finiteBounds(positions);
     blas.tree.grid = accel::gridAround(blas.tree.bounds);
-    return accel::refitOnCpu({blas.tree, 0, 0, blas.triangles}, {positions, mesh.indices});
+    const auto corners = accel::leafCorners(blas.tree, mesh.indices);
+    return accel::refitOnCpu({blas.tree, 0, 0, blas.triangles, corners}, positions).dropped;
 }
 
 }  // namespace lampyris::test
