@@ -1,4 +1,5 @@
 // Deforming instances through AccelOnGpu, from snapshot to snapshot, on either path.
+#include "accel/tree.h"
 #include "gpu/accel/trace_fixture.h"
 #include "shared/refit.h"
 
@@ -158,14 +159,16 @@ TEST_P(PosedTest, RebuildsWhatGrewBadAFixedNumberOfFramesLater) {
             if (tree.counts().rebuilds > 0) landed.push_back(i);
             graph::Frame frame;
             const auto handles = own.import(frame);
-            const auto accel = tree.import(frame, handles);
+            const auto bvh = tree.import(frame, handles);
             execute::RunOptions options;
-            if (accel.nodes.version > 0) options.readBackBuffers.push_back(accel.nodes);
-            if (accel.quality.valid()) options.readBackBuffers.push_back(accel.quality);
+            if (bvh.nodes.version > 0) options.readBackBuffers.push_back(bvh.nodes);
+            if (bvh.quality.valid()) options.readBackBuffers.push_back(bvh.quality);
             for (const auto buffer : options.readBackBuffers) frame.output(buffer);
             const auto done = need(executor.run(frame, options));
-            if (accel.quality.valid()) tree.learn(done.buffers[1]);
+            if (bvh.quality.valid()) tree.learn(done.buffers[1]);
             runs.push_back(done.buffers.empty() ? std::vector<std::byte>{} : done.buffers[0]);
+            // The tree stands first; 2000 triangles have more nodes than that. Behind it is room.
+            if (!runs.back().empty()) runs.back().resize(600 * sizeof(accel::Node));
             if (i == 1) {
                 EXPECT_GT(tree.counts().sahRatioMax, 1.5);
             }
@@ -178,7 +181,7 @@ TEST_P(PosedTest, RebuildsWhatGrewBadAFixedNumberOfFramesLater) {
         EXPECT_GT(expectExact(scene.baked(), rays, traceIn(own, tree, scene.snapshot, rays)), 50u);
     }
     const size_t frames = runs.size() / 2;
-    for (size_t i = 0; i < frames; ++i) EXPECT_EQ(runs[i], runs[frames + i]) << "frame " << i;
+    for (size_t i = 0; i < frames; ++i) EXPECT_TRUE(runs[i] == runs[frames + i]) << "frame " << i;
 }
 
 }  // namespace
