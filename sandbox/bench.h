@@ -27,6 +27,7 @@ core::Result<void> benchNodes(
 core::Result<void> benchBinning(const BenchCall& call);  ///< photons to tiles: full beside thesis
 core::Result<void> benchRays(const BenchCall& call);     ///< the shader's traversal beside Embree's
 core::Result<void> benchAccel(const BenchCall& call);    ///< BVH builds and memory, a scene each
+core::Result<void> benchRefit(const BenchCall& call);    ///< what deforming meshes cost the BVH
 
 // The Thesis' evaluation again; see sandbox/thesis/README.md.
 core::Result<void> benchParameterScaling(const BenchCall& call);

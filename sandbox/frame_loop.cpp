@@ -39,6 +39,14 @@ core::Result<void> checkSize(graph::Extent size, const gpu::Device& device) {
                        size.height, most);
 }
 
+/// On the CPU, or in the device's nodes.
+double refitMilliseconds(const accel::AccelCounts& counts, const execute::FrameStatistics& frame) {
+    double sum = counts.refitMilliseconds;
+    for (const execute::NodeTime& node : frame.nodes)
+        if (node.name.starts_with("refit")) sum += node.gpuMilliseconds;
+    return sum;
+}
+
 }  // namespace
 
 core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options, bool presentable) {
@@ -96,7 +104,10 @@ core::Result<LoopFrame> FrameLoop::draw(uint64_t frameNumber, bool readBack) {
         last = frame.outcome.report.counters;
         if (!frame.outcome.report.valid) continue;
         frame.rebuilds = counts.rebuilds;
-        frame.rebuildMilliseconds = counts.buildMilliseconds;
+        frame.rebuildMilliseconds = counts.rebuildMilliseconds;
+        frame.refits = counts.refits;
+        frame.refitMilliseconds = refitMilliseconds(counts, frame.outcome.statistics);
+        frame.sahRatioMax = renderer_->accel().counts().sahRatioMax;
         return frame;
     }
     return overflow(last);

@@ -21,6 +21,9 @@ struct LoopFrame {
     photon_gi::Renderer::Outcome outcome;
     uint32_t rebuilds = 0;  ///< of bottom-level BVHs, for this frame
     double rebuildMilliseconds = 0.0;
+    uint32_t refits = 0;  ///< of bottom-level BVHs, for this frame
+    double refitMilliseconds = 0.0;
+    double sahRatioMax = 1.0;  ///< as known after this frame
 };
 
 class FrameLoop {

@@ -1,5 +1,6 @@
 #include "report.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace lampyris::sandbox {
@@ -41,11 +42,11 @@ Json photonsJson(const photon_gi::FrameReport& r) {
 Json accelJson(const accel::AccelCounts& counts, const Measured& measured) {
     return {{"triangles", counts.triangles},
             {"blas", counts.blas},
-            {"refits", 0},
+            {"refits", measured.refits},
             {"rebuilds", measured.rebuilds},
-            {"refit_ms", toJson(Statistics{})},
+            {"refit_ms", toJson(summarise(measured.refitMilliseconds))},
             {"rebuild_ms", toJson(summarise(measured.rebuildMilliseconds))},
-            {"sah_ratio_max", 1.0}};
+            {"sah_ratio_max", measured.sahRatioMax}};
 }
 
 }  // namespace
@@ -80,6 +81,9 @@ Json settingsJson(const Options& o) {
 void Measured::add(LoopFrame frame) {
     series.add(frame.outcome.statistics);
     rebuilds += frame.rebuilds;
+    refits += frame.refits;
+    if (frame.refits > 0) refitMilliseconds.push_back(frame.refitMilliseconds);
+    sahRatioMax = std::max(sahRatioMax, frame.sahRatioMax);
     if (frame.rebuilds > 0) rebuildMilliseconds.push_back(frame.rebuildMilliseconds);
     last = std::move(frame);
 }

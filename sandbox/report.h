@@ -15,6 +15,9 @@ struct Measured {
     LoopFrame last;
     uint64_t rebuilds = 0;
     std::vector<double> rebuildMilliseconds;  ///< a frame that rebuilt, each
+    uint64_t refits = 0;
+    std::vector<double> refitMilliseconds;  ///< a frame that refitted, each
+    double sahRatioMax = 1.0;
 
     void add(LoopFrame frame);
 };

@@ -49,9 +49,9 @@ float poseMoved(const math::Bounds& box, const Pose& before, const Pose& after) 
     float moved = 0.0f;
     const glm::vec4 middle(0.5f * (box.lower + box.upper), 1.0f);
     for (size_t i = 0; i < std::min(before.jointMatrices.size(), after.jointMatrices.size()); ++i)
-        moved =
-            std::max(moved, glm::length(glm::vec3((after.jointMatrices[i] - before.jointMatrices[i]) *
-                                                  middle)));
+        moved = std::max(
+            moved,
+            glm::length(glm::vec3((after.jointMatrices[i] - before.jointMatrices[i]) * middle)));
     for (size_t i = 0; i < std::min(before.morphWeights.size(), after.morphWeights.size()); ++i)
         moved =
             std::max(moved, std::abs(after.morphWeights[i] - before.morphWeights[i]) * sizeOf(box));
@@ -88,8 +88,7 @@ void addRegions(const SceneSnapshot& before, const SceneSnapshot& after, SceneCh
             math::Bounds bounds = old.boundsWorld;
             bounds.grow(now.boundsWorld);
             if (bounds.empty()) return;
-            const float moved =
-                std::min(instanceMoved(after, old, now), sizeOf(bounds));
+            const float moved = std::min(instanceMoved(after, old, now), sizeOf(bounds));
             changes.regions.push_back({bounds, moved});
         },
         whole, whole);

@@ -22,7 +22,7 @@ struct ChangedLight {
 };
 
 struct SceneChanges {
-    bool everything = false;  ///< materials, images: nothing can be said of where
+    bool everything = false;           ///< materials, images: nothing can be said of where
     bool lightsCameOrWent = false;     ///< their numbers are others
     bool instancesCameOrWent = false;  ///< likewise
     std::vector<ChangedRegion> regions;

@@ -5,26 +5,20 @@
 #include <map>
 #include <set>
 
-#include "accel/blas.h"
-#include "accel/tlas.h"
+#include "accel/posed_trees.h"
 #include "core/check.h"
-#include "residency/range_allocator.h"
-#include "residency/resident_buffer.h"
 
 namespace lampyris::accel {
 namespace {
 
-using residency::RangeAllocator;
-using residency::ResidentBuffer;
-
-/// A mesh's tree on the device.
+/// The tree of a mesh at rest.
 struct Resident {
     BlasPlace place;
-    uint64_t firstNode = 0, nodes = 0;
-    uint64_t firstTriangle = 0, triangles = 0;
+    TreeRange range;
+    uint32_t dropped = 0;
 };
 
-/// A tree on its way there.
+/// A tree on its way to the device.
 struct Built {
     uint64_t version;
     Blas blas;
@@ -35,67 +29,73 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
         .count();
 }
 
+bool refitsOnCpu(const residency::SceneOnGpu& scene, RefitPath path) {
+    if (path != RefitPath::Automatic) return path == RefitPath::Cpu;
+    return scene.device().info().kind == "cpu";
+}
+
+/// Versions of the meshes that some instance has at rest, or no instance at all.
+std::set<uint64_t> meshesAtRest(const scene::SceneSnapshot& snapshot) {
+    std::vector<bool> posed(snapshot.meshes.size(), false), rest(snapshot.meshes.size(), false);
+    for (const auto& instance : snapshot.instances)
+        (instance.pose != nullptr ? posed : rest)[instance.mesh] = true;
+    std::set<uint64_t> versions;
+    for (size_t i = 0; i < snapshot.meshes.size(); ++i)
+        if (rest[i] || !posed[i]) versions.insert(snapshot.meshes[i].version);
+    return versions;
+}
+
 }  // namespace
 
 struct AccelOnGpu::Parts {
-    explicit Parts(const residency::SceneOnGpu& scene)
+    Parts(const residency::SceneOnGpu& scene, const AccelSettings& settings)
         : scene(&scene),
-          nodes(scene.device(), "bvh nodes", sizeof(glm::vec4)),
-          triangles(scene.device(), "bvh triangles", sizeof(glm::vec4)) {}
+          store(scene.device()),
+          posed(store, builder, refitsOnCpu(scene, settings.refit), settings.rebuild) {}
 
-    void forgetMissing(const scene::SceneSnapshot& snapshot);
-    core::Result<void> addMissing(const scene::SceneSnapshot& snapshot);
+    core::Result<void> followMeshes(const scene::SceneSnapshot& snapshot);
     core::Result<void> load(residency::Loading& loading, Built& next);
     core::Result<void> rebuildTlas(const scene::SceneSnapshot& snapshot);
+    void count();
 
     const residency::SceneOnGpu* scene;
     TreeBuilder builder;
-    ResidentBuffer nodes, triangles;
-    RangeAllocator nodeRanges, triangleRanges;
-    std::map<uint64_t, Resident> blas;  ///< by mesh version
-    uint64_t firstTlasNode = 0, tlasNodes = 0;
+    TreeStore store;
+    std::map<uint64_t, Resident> blas;  ///< of meshes at rest, by version
+    PosedTrees posed;
+    TreeRange tlas;
     AccelHandles handles;  ///< without the buffers
     AccelCounts counts;
     uint64_t geometryVersion = ~uint64_t{0};
     uint64_t materialVersion = ~uint64_t{0};
 };
 
-AccelOnGpu::AccelOnGpu(const residency::SceneOnGpu& scene)
-    : parts_(std::make_unique<Parts>(scene)) {}
+AccelOnGpu::AccelOnGpu(const residency::SceneOnGpu& scene, const AccelSettings& settings)
+    : parts_(std::make_unique<Parts>(scene, settings)) {}
 AccelOnGpu::~AccelOnGpu() = default;
 AccelOnGpu::AccelOnGpu(AccelOnGpu&&) noexcept = default;
 AccelOnGpu& AccelOnGpu::operator=(AccelOnGpu&&) noexcept = default;
 
-void AccelOnGpu::Parts::forgetMissing(const scene::SceneSnapshot& snapshot) {
-    std::set<uint64_t> wanted;
-    for (const auto& mesh : snapshot.meshes) wanted.insert(mesh.version);
+core::Result<void> AccelOnGpu::Parts::followMeshes(const scene::SceneSnapshot& snapshot) {
+    const auto wanted = meshesAtRest(snapshot);
     std::erase_if(blas, [&](const auto& item) {
         const auto& [version, resident] = item;
         if (wanted.contains(version)) return false;
-        nodeRanges.give(resident.firstNode, resident.nodes);
-        triangleRanges.give(resident.firstTriangle, resident.triangles);
+        store.give(resident.range);
         return true;
     });
-}
-
-core::Result<void> AccelOnGpu::Parts::addMissing(const scene::SceneSnapshot& snapshot) {
+    const auto start = std::chrono::steady_clock::now();
     std::vector<Built> built;
     for (const auto& mesh : snapshot.meshes) {
-        if (blas.contains(mesh.version)) continue;
+        if (blas.contains(mesh.version) || !wanted.contains(mesh.version)) continue;
         TRY(Blas next, buildBlas(builder, *mesh.value));
-        Resident resident;
-        resident.nodes = next.tree.nodes.size();
-        resident.triangles = next.triangles.size();
-        resident.firstNode = nodeRanges.take(resident.nodes);
-        resident.firstTriangle = triangleRanges.take(resident.triangles);
-        blas.emplace(mesh.version, resident);
+        blas[mesh.version].range = store.take(next.tree.nodes.size(), next.triangles.size(), 0);
         built.push_back({mesh.version, std::move(next)});
     }
-    counts.rebuilds = static_cast<uint32_t>(built.size());
-    TRY_VOID(nodes.reserve(std::max<uint64_t>(nodeRanges.capacity(), 1) * sizeof(Node)));
-    TRY_VOID(
-        triangles.reserve(std::max<uint64_t>(triangleRanges.capacity(), 1) * sizeof(LeafTriangle)));
+    TRY_VOID(store.reserve());
     if (built.empty()) return {};
+    counts.rebuilds = static_cast<uint32_t>(built.size());
+    counts.rebuildMilliseconds = millisecondsSince(start);
     TRY(residency::Loading loading, residency::Loading::begin(scene->device()));
     for (Built& next : built) {
         TRY_VOID(load(loading, next));
@@ -107,73 +107,100 @@ core::Result<void> AccelOnGpu::Parts::addMissing(const scene::SceneSnapshot& sna
 core::Result<void> AccelOnGpu::Parts::load(residency::Loading& loading, Built& next) {
     Resident& resident = blas.at(next.version);
     Tree& tree = next.blas.tree;
-    resident.place.depth = tree.depth;
-    resident.place.bounds = tree.bounds;
-    resident.place.grid = tree.grid;
-    if (next.blas.triangles.empty()) return {};
-    relocate(tree, static_cast<uint32_t>(resident.firstNode),
-             static_cast<uint32_t>(resident.firstTriangle));
-    resident.place.rootLink = tree.rootLink;
-    TRY_VOID(loading.write(nodes, resident.firstNode * sizeof(Node),
+    relocate(tree, resident.range);
+    resident.place = {tree.rootLink, tree.depth, tree.bounds, tree.grid};
+    resident.dropped = next.blas.dropped;
+    TRY_VOID(loading.write(store.nodes, resident.range.firstNode * sizeof(Node),
                            std::as_bytes(std::span(tree.nodes))));
-    return loading.write(triangles, resident.firstTriangle * sizeof(LeafTriangle),
+    return loading.write(store.triangles, resident.range.firstTriangle * sizeof(LeafTriangle),
                          std::as_bytes(std::span(next.blas.triangles)));
 }
 
 core::Result<void> AccelOnGpu::Parts::rebuildTlas(const scene::SceneSnapshot& snapshot) {
     const uint64_t wanted = tlasCapacity(snapshot.instances.size());
-    if (wanted > tlasNodes) {
-        nodeRanges.give(firstTlasNode, tlasNodes);
-        tlasNodes = 2 * wanted;
-        firstTlasNode = nodeRanges.take(tlasNodes);
-        TRY_VOID(nodes.reserve(nodeRanges.capacity() * sizeof(Node)));
+    if (wanted > tlas.nodes) {
+        store.give(tlas);
+        tlas = store.take(2 * wanted, 0, 0);
+        TRY_VOID(store.reserve());
     }
     std::vector<BlasPlace> places;
-    for (const auto& mesh : snapshot.meshes) places.push_back(blas.at(mesh.version).place);
-    TRY(const Tlas tlas,
-        buildTlas(builder, snapshot, places, static_cast<uint32_t>(firstTlasNode)));
-    CHECK(tlas.nodes.size() <= tlasNodes);
-    handles.root = tlas.root;
-    counts.deepest = tlas.depth;
+    for (const auto& instance : snapshot.instances)
+        places.push_back(instance.pose != nullptr
+                             ? posed.place(instance.entity)
+                             : blas.at(snapshot.meshes[instance.mesh].version).place);
+    TRY(const Tlas built,
+        buildTlas(builder, snapshot, places, static_cast<uint32_t>(tlas.firstNode)));
+    CHECK(built.nodes.size() <= tlas.nodes);
+    handles.root = built.root;
+    counts.deepest = built.depth;
     // The walk marks the end of both trees on its stack. In eights, so that few depths mean a new
     // pipeline.
-    handles.stackEntries = (tlas.depth + 2 + 7) / 8 * 8;
-    return nodes.stage(firstTlasNode * sizeof(Node), std::as_bytes(std::span(tlas.nodes)));
+    handles.stackEntries = (built.depth + 2 + 7) / 8 * 8;
+    return store.nodes.stage(tlas.firstNode * sizeof(Node), std::as_bytes(std::span(built.nodes)));
 }
 
-core::Result<void> AccelOnGpu::update(const scene::SceneSnapshot& snapshot) {
+void AccelOnGpu::Parts::count() {
+    const PosedCounts& moving = posed.counts();
+    counts.blas = static_cast<uint32_t>(blas.size()) + moving.trees;
+    counts.triangles = store.triangleCount();
+    counts.refits = moving.refits;
+    counts.rebuilds += moving.builds;
+    counts.refitMilliseconds = moving.refitMilliseconds;
+    counts.rebuildMilliseconds += moving.buildMilliseconds;
+}
+
+core::Result<void> AccelOnGpu::update(const scene::SceneSnapshot& snapshot,
+                                      const glm::vec3* eyeWorld) {
     Parts& p = *parts_;
-    p.counts.rebuilds = 0;
-    p.counts.buildMilliseconds = 0.0;
+    p.counts.refits = p.counts.rebuilds = 0;
+    p.counts.refitMilliseconds = p.counts.rebuildMilliseconds = p.counts.buildMilliseconds = 0.0;
     // Materials too: whether an instance is masked stands in its record.
     if (snapshot.geometryVersion == p.geometryVersion &&
-        snapshot.materialVersion == p.materialVersion)
+        snapshot.materialVersion == p.materialVersion && !p.posed.busy())
         return {};
     const auto start = std::chrono::steady_clock::now();
-    p.forgetMissing(snapshot);
-    TRY_VOID(p.addMissing(snapshot));
+    TRY_VOID(p.followMeshes(snapshot));
+    TRY_VOID(p.posed.follow(snapshot, p.scene->posed(), eyeWorld));
     TRY_VOID(p.rebuildTlas(snapshot));
-    p.counts.blas = static_cast<uint32_t>(p.blas.size());
-    p.counts.triangles = p.triangleRanges.used();
+    p.count();
     p.counts.buildMilliseconds = millisecondsSince(start);
     p.geometryVersion = snapshot.geometryVersion;
     p.materialVersion = snapshot.materialVersion;
     return {};
 }
 
-AccelHandles AccelOnGpu::import(graph::Frame& frame) {
-    AccelHandles handles = parts_->handles;
-    handles.nodes = parts_->nodes.import(frame, "tlas_upload");
-    handles.triangles = parts_->triangles.import(frame, "upload bvh triangles");
+AccelHandles AccelOnGpu::import(graph::Frame& frame, const residency::SceneHandles& scene) {
+    Parts& p = *parts_;
+    AccelHandles handles = p.handles;
+    handles.nodes = p.store.nodes.import(frame, "tlas_upload");
+    handles.triangles = p.store.triangles.import(frame, "upload bvh triangles");
+    const auto jobs = p.posed.takeJobs();
+    if (jobs.empty()) return handles;
+    const Refitted refitted = addRefit(
+        frame,
+        {handles.nodes, handles.triangles, p.store.slots.import(frame, "upload bvh refit slots"),
+         scene.positions, scene.indices},
+        jobs);
+    handles.nodes = refitted.nodes;
+    handles.triangles = refitted.triangles;
+    handles.quality = refitted.quality;
     return handles;
 }
 
+void AccelOnGpu::learn(std::span<const std::byte> quality) {
+    parts_->posed.learn(quality);
+}
+
 const AccelCounts& AccelOnGpu::counts() const {
-    return parts_->counts;
+    AccelCounts& counts = parts_->counts;
+    counts.sahRatioMax = parts_->posed.counts().costRatioMax;
+    counts.dropped = parts_->posed.counts().dropped;
+    for (const auto& [version, resident] : parts_->blas) counts.dropped += resident.dropped;
+    return counts;
 }
 
 uint64_t AccelOnGpu::deviceBytes() const {
-    return parts_->nodes.bytes() + parts_->triangles.bytes();
+    return parts_->store.bytes();
 }
 
 void bindTraversal(graph::ComputeNode& node, const AccelHandles& accel,

@@ -91,7 +91,7 @@ class GpuRays {
     core::Result<double> trace(std::vector<GpuHit>* hits) {
         graph::Frame frame;
         const auto scene = scene_.import(frame);
-        const auto accel = accel_.import(frame);
+        const auto accel = accel_.import(frame, scene);
         const auto rays = rays_.import(frame, "upload rays");
         const auto result = addTraceRays(frame, accel, scene, rays, {.rayCount = count_});
         frame.output(result);

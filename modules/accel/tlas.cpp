@@ -28,7 +28,7 @@ std::vector<Candidate> candidates(const scene::SceneSnapshot& snapshot,
     std::vector<Candidate> result;
     for (uint32_t i = 0; i < snapshot.instances.size(); ++i) {
         const auto& instance = snapshot.instances[i];
-        const BlasPlace& place = blas[instance.mesh];
+        const BlasPlace& place = blas[i];
         const auto placement = residency::placementOf(instance.objectToWorld);
         if (place.rootLink == shared::BVH_NOTHING || !placement) continue;
         const auto& material = *snapshot.materials[instance.material].value;
@@ -61,7 +61,7 @@ uint32_t toRecord(uint32_t link, const std::vector<uint32_t>& order, uint32_t fi
 
 core::Result<Tlas> buildTlas(TreeBuilder& builder, const scene::SceneSnapshot& snapshot,
                              std::span<const BlasPlace> blas, uint32_t nodeOffset) {
-    CHECK(blas.size() == snapshot.meshes.size());
+    CHECK(blas.size() == snapshot.instances.size());
     const auto found = candidates(snapshot, blas);
     Tlas tlas;
     for (const Candidate& candidate : found)

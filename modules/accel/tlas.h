@@ -10,10 +10,9 @@
 
 namespace lampyris::accel {
 
-/// A mesh's tree once it has its place on the device.
+/// A BLAS once it has its place on the device.
 struct BlasPlace {
-    uint32_t rootLink =
-        shared::BVH_NOTHING;  ///< absolute; BVH_NOTHING where the mesh has no triangle
+    uint32_t rootLink = shared::BVH_NOTHING;  ///< absolute; BVH_NOTHING where it has no triangle
     uint32_t depth = 0;
     math::Bounds bounds;  ///< object space
     shared::GpuBvhGrid grid{};
@@ -26,7 +25,7 @@ struct Tlas {
     uint32_t depth = 0;  ///< stack entries of a walk down to the deepest triangle
 };
 
-/// \param blas        by the snapshot's mesh index
+/// \param blas        of each instance of the snapshot
 /// \param nodeOffset  where on the device the nodes will stand
 core::Result<Tlas> buildTlas(TreeBuilder& builder, const scene::SceneSnapshot& snapshot,
                              std::span<const BlasPlace> blas, uint32_t nodeOffset);

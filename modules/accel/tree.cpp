@@ -11,12 +11,6 @@ constexpr float kBorder = 2.0f;
 // A cell is at least this share of the tree's largest coordinate: a few roundings of 2⁻²⁴. [chosen]
 constexpr float kLeastCell = 5e-7f;
 
-uint32_t pack(float lower, float upper) {
-    const float low = std::clamp(std::floor(lower) - 1.0f, 0.0f, kMostCells);
-    const float high = std::clamp(std::ceil(upper) + 1.0f, 0.0f, kMostCells);
-    return static_cast<uint32_t>(low) | (static_cast<uint32_t>(high) << 16);
-}
-
 }  // namespace
 
 shared::GpuBvhGrid gridAround(const math::Bounds& bounds) {
@@ -29,9 +23,7 @@ shared::GpuBvhGrid gridAround(const math::Bounds& bounds) {
 }
 
 CellBox toCells(const shared::GpuBvhGrid& grid, const math::Bounds& box) {
-    const glm::vec3 lower = (box.lower - glm::vec3(grid.offset)) / glm::vec3(grid.cell);
-    const glm::vec3 upper = (box.upper - glm::vec3(grid.offset)) / glm::vec3(grid.cell);
-    return {pack(lower.x, upper.x), pack(lower.y, upper.y), pack(lower.z, upper.z)};
+    return CellScale(grid)(box);
 }
 
 math::Bounds fromCells(const shared::GpuBvhGrid& grid, const CellBox& box) {

@@ -22,8 +22,8 @@ DirectLight writeLight(graph::Frame& frame, graph::ComputeNode& node, graph::Ext
                        Keep keep) {
     const graph::ImageDesc desc{graph::Format::RGBA16Float, size};
     DirectLight direct;
-    direct.irradiance = node.write(shared::SLOT_IRRADIANCE_DIRECT,
-                                   keepable(frame, keep, kIrradiance, desc));
+    direct.irradiance =
+        node.write(shared::SLOT_IRRADIANCE_DIRECT, keepable(frame, keep, kIrradiance, desc));
     direct.specular =
         node.write(shared::SLOT_SPECULAR_DIRECT, keepable(frame, keep, kSpecular, desc));
     return direct;

@@ -75,7 +75,8 @@ core::Result<void> StillSequence::add(const core::DisplayImage& picture) {
 }
 
 core::Result<StaticFlicker> StillSequence::flicker() const {
-    if (frames_ < 2) return core::error("flicker needs two pictures at least; there are {}", frames_);
+    if (frames_ < 2)
+        return core::error("flicker needs two pictures at least; there are {}", frames_);
     StaticFlicker result;
     result.map = core::Image(width_, height_, 1);
     std::vector<double> deviations(squares_.size());
@@ -86,7 +87,8 @@ core::Result<StaticFlicker> StillSequence::flicker() const {
     }
     const size_t at = (deviations.size() * 99) / 100;
     if (!deviations.empty()) {
-        const auto place = deviations.begin() + static_cast<ptrdiff_t>(std::min(at, deviations.size() - 1));
+        const auto place =
+            deviations.begin() + static_cast<ptrdiff_t>(std::min(at, deviations.size() - 1));
         std::nth_element(deviations.begin(), place, deviations.end());
         result.percentile99 = *place;
     }

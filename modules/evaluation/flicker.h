@@ -11,9 +11,9 @@ namespace lampyris::evaluation {
 
 /// Of pictures in which nothing moves.                                                         [F1]
 struct StaticFlicker {
-    double mean = 0.0;         ///< over pixels, of the standard deviation over time; luma, 0 to 255
-    double percentile99 = 0.0;  ///< of the pixels
-    core::Image map;            ///< the deviation, a channel
+    double mean = 0.0;  ///< over pixels, of the standard deviation over time; luma, 0 to 255
+    double percentile99 = 0.0;   ///< of the pixels
+    core::Image map;             ///< the deviation, a channel
     core::DisplayImage average;  ///< over time, rounded: blur cannot pose as calm beside its MSSIM
 };
 
@@ -27,8 +27,9 @@ class StillSequence {
 
  private:
     uint32_t frames_ = 0, width_ = 0, height_ = 0;
-    std::vector<double> mean_, squares_;  ///< Welford: running mean of luma, sum of squares about it
-    std::vector<uint32_t> sums_;          ///< of display values
+    std::vector<double> mean_,
+        squares_;                 ///< Welford: running mean of luma, sum of squares about it
+    std::vector<uint32_t> sums_;  ///< of display values
 };
 
 /// A figure, and its part in each frame.
@@ -45,8 +46,8 @@ core::Result<FrameFigures> dynamicFlicker(std::span<const core::DisplayImage> pi
 
 /// How long a change takes.                                                                    [F3]
 struct Lag {
-    bool arrives = false;  ///< within the sequence
-    uint32_t frames = 0;   ///< after the change
+    bool arrives = false;             ///< within the sequence
+    uint32_t frames = 0;              ///< after the change
     std::vector<double> differences;  ///< of each picture to the last ones' average
 };
 

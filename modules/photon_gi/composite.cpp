@@ -8,8 +8,8 @@ namespace lampyris::photon_gi {
 
 graph::Image addComposite(graph::Frame& frame, const deferred::Surface& surface,
                           const deferred::DirectLight& direct, graph::Image indirect,
-                          const deferred::LightLists& lights,
-                          const residency::SceneHandles& scene, deferred::Keep keep) {
+                          const deferred::LightLists& lights, const residency::SceneHandles& scene,
+                          deferred::Keep keep) {
     const graph::Extent size{surface.view.width, surface.view.height};
     shared::GatherParams params{};
     params.lightCount = lights.params.lightCount;
@@ -23,9 +23,9 @@ graph::Image addComposite(graph::Frame& frame, const deferred::Surface& surface,
         .read(shared::SLOT_COMPOSITE_MASKS, lights.masks)
         .push(params);
     if (indirect.valid()) node.sample(shared::SLOT_COMPOSITE_INDIRECT, indirect);
-    const graph::Image radiance = node.write(
-        shared::SLOT_COMPOSITE_OUT,
-        deferred::keepable(frame, keep, kFinal, {graph::Format::RGBA16Float, size}));
+    const graph::Image radiance =
+        node.write(shared::SLOT_COMPOSITE_OUT,
+                   deferred::keepable(frame, keep, kFinal, {graph::Format::RGBA16Float, size}));
     node.dispatchOver(size);
     return radiance;
 }

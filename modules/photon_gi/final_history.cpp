@@ -79,8 +79,8 @@ CoarseIrradiance addFinalHistory(graph::Frame& frame, const deferred::Surface& s
                                        static_cast<uint32_t>(places.size()) - regions,
                                        past.doubted ? 1u : 0u};
     if (places.empty()) places.emplace_back();
-    auto node = frame.compute("gather/history", motion.valid() ? shaders::finalHistoryMoving
-                                                               : shaders::finalHistory);
+    auto node = frame.compute("gather/history",
+                              motion.valid() ? shaders::finalHistoryMoving : shaders::finalHistory);
     if (motion.valid()) node.sample(shared::SLOT_HISTORY_MOTION, motion);
     bindCoarse(node, newest);
     node.uniformData(shared::SLOT_VIEW, surface.view)

@@ -28,9 +28,8 @@ constexpr const char* kHistoryMean = "gather history";
 /// \param frames most in the mean, this one included; 1: it begins anew; 0: as it came
 [[nodiscard]] CoarseIrradiance addFinalHistory(graph::Frame& frame,
                                                const deferred::Surface& surface,
-                                               const CoarseIrradiance& newest,
-                                               graph::Image motion, const Past& past,
-                                               uint32_t frames,
+                                               const CoarseIrradiance& newest, graph::Image motion,
+                                               const Past& past, uint32_t frames,
                                                const FinalGatherSettings& settings);
 
 }  // namespace lampyris::photon_gi

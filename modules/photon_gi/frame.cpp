@@ -32,9 +32,9 @@ deferred::DirectLight addDirect(graph::Frame& f, const FrameInputs& in, const Se
 DrawnFrame drawFrame(graph::Frame& f, const FrameInputs& in, const Settings& s,
                      const Capacities& room) {
     DrawnFrame out;
-    const auto surface =
-        in.past.still ? deferred::recallGBuffer(f, in.view)
-                      : deferred::addGBuffer(f, in.view, in.scene, in.draws, keepOf(s));
+    const auto surface = in.past.still
+                             ? deferred::recallGBuffer(f, in.view)
+                             : deferred::addGBuffer(f, in.view, in.scene, in.draws, keepOf(s));
     const auto bounds = deferred::addTileBounds(f, surface);
     const auto lights =
         deferred::addLightLists(f, surface, bounds, in.scene, s.lightCutoff, in.seed);

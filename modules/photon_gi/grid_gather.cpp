@@ -34,10 +34,10 @@ JoinedIrradiance addGridGather(graph::Frame& f, const FrameInputs& in, const Set
     }
     const GatherWorld world{in.scene, in.accel, photons::finishGrid(f, cells, in.scene, in.accel)};
     const auto rough = addFinalGather(f, surface, world, gather);
-    const graph::Image motion = historyFrames(s) > 1
-                                    ? deferred::addMotion(f, surface, in.scene, in.draws)
-                                    : graph::Image{};
-    const auto mean = addFinalHistory(f, surface, rough.coarse, motion, in.past, historyFrames(s), gather);
+    const graph::Image motion =
+        historyFrames(s) > 1 ? deferred::addMotion(f, surface, in.scene, in.draws) : graph::Image{};
+    const auto mean =
+        addFinalHistory(f, surface, rough.coarse, motion, in.past, historyFrames(s), gather);
     const auto smooth = addFinalFilter(f, surface, mean, gather);
     const auto joined = addFinalUpsample(f, surface, world, smooth, cells.counters, gather);
     if (guided(s) && photons.pathCount == in.paths.paths)

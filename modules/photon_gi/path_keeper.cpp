@@ -61,7 +61,8 @@ core::Result<PathPlan> PathKeeper::plan(const Settings& settings, const Now& now
                 split_.paths <= settings.largestBatch &&
                 photons::fitsStore(split_.paths, settings.maxBounces);
     if (plan.kept)
-        TRY_VOID(store_.reserve(split_.paths, photons::photonsPerPath(split_, settings.maxBounces, true),
+        TRY_VOID(store_.reserve(split_.paths,
+                                photons::photonsPerPath(split_, settings.maxBounces, true),
                                 settings.maxBounces));
     valid_ = plan.kept;
     settings_ = settings;

@@ -68,7 +68,7 @@ Renderer::Renderer(execute::Executor& executor)
 
 core::Result<void> Renderer::update(const scene::SceneSnapshot& snapshot) {
     TRY_VOID(scene_.update(snapshot));
-    TRY_VOID(accel_.update(snapshot));
+    TRY_VOID(accel_.update(snapshot, &eyeWorld_));
     emitters_ = photons::listEmitters(snapshot.lights, scene_.emitters());
     scene::add(changes_, scene::changesBetween(snapshot_, snapshot));
     snapshot_ = snapshot;
@@ -108,8 +108,7 @@ bool Renderer::sameAsDrawn(const shared::View& view, const Settings& settings) c
 
 bool Renderer::settled(const shared::View& view, const FrameRequest& request) const {
     return request.finalAlone && keepsUnchanged(request.settings) &&
-           sameAsDrawn(view, request.settings) &&
-           stillFrames_ > historyFrames(request.settings);
+           sameAsDrawn(view, request.settings) && stillFrames_ > historyFrames(request.settings);
 }
 
 Past Renderer::recall(const shared::View& view, const Settings& settings) {
@@ -120,8 +119,10 @@ Past Renderer::recall(const shared::View& view, const Settings& settings) {
     stillFrames_ = past.still ? stillFrames_ + 1 : 0;
     past.same = drawn_.whole && drawn_.settings == settings;
     past.worldToClip = drawn_.worldToClip;
-    if (!past.same) framesSinceChange_ = settings.history;  // nothing is remembered
-    else if (!changes_.none()) framesSinceChange_ = 0;
+    if (!past.same)
+        framesSinceChange_ = settings.history;  // nothing is remembered
+    else if (!changes_.none())
+        framesSinceChange_ = 0;
     past.doubted = framesSinceChange_++ < settings.history;
     past.changes = std::exchange(changes_, {});
     past.lights = snapshot_.lights;
@@ -137,12 +138,15 @@ core::Result<DrawnFrame> Renderer::declare(graph::Frame& frame, const FrameReque
         DrawnFrame last;
         last.radiance = recallFinal(frame, request.size);
         frame.publish(kFinal, last.radiance);
+        treeQuality_ = {};
         return last;
     }
     TRY_VOID(makeRoom(request));
     FrameInputs in;
     in.scene = residency::importScene(frame, scene_);
-    in.accel = accel::importAccel(frame, accel_);
+    in.accel = accel::importAccel(frame, accel_, in.scene);
+    treeQuality_ = in.accel.quality;
+    eyeWorld_ = glm::vec3(request.camera.cameraToWorld[3]);
     in.draws = scene_.draws();
     in.paths = plan_.split;
     in.pathsKept = plan_.kept;
@@ -208,6 +212,7 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
     if (drawn.lightReach.valid()) runOptions.readBackBuffers.push_back(drawn.lightReach);
     runOptions.readBackBuffers.insert(runOptions.readBackBuffers.end(), drawn.ledgers.begin(),
                                       drawn.ledgers.end());
+    if (treeQuality_.valid()) runOptions.readBackBuffers.push_back(treeQuality_);
     for (const graph::Buffer buffer : runOptions.readBackBuffers) frame.output(buffer);
 
     Outcome outcome;
@@ -220,6 +225,10 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
         outcome.report = lastReport_;
         outcome.report.retraced = 0;
         return outcome;
+    }
+    if (treeQuality_.valid()) {
+        accel_.learn(result.buffers.back());
+        result.buffers.pop_back();
     }
     const auto importance = readReport(drawn, result.buffers, outcome.report);
     outcome.report.paths = drawn.ledgers.empty() ? 0 : plan_.split.paths;

@@ -94,11 +94,13 @@ class Renderer {
         glm::mat4 worldToClip{1.0f};
     };
     Drawn drawn_;
-    uint32_t stillFrames_ = 0;  ///< in which nothing changed, nor did the view
-    FrameReport lastReport_;    ///< of a frame that was whole
-    scene::SceneSnapshot snapshot_;        ///< of the last update()
-    scene::SceneChanges changes_;          ///< since the last declared frame
+    uint32_t stillFrames_ = 0;       ///< in which nothing changed, nor did the view
+    FrameReport lastReport_;         ///< of a frame that was whole
+    scene::SceneSnapshot snapshot_;  ///< of the last update()
+    scene::SceneChanges changes_;    ///< since the last declared frame
     uint32_t framesSinceChange_ = 0;
+    glm::vec3 eyeWorld_{0.0f};             ///< of the last frame's camera
+    graph::Buffer treeQuality_;            ///< of the declared frame
     uint32_t largestBatch_ = 0xffffffffu;  ///< paths; halved while a batch's pairs do not fit
     uint32_t lastBatch_ = 0;               ///< the largest of the last frame
     uint32_t mostPairs_ = 0;               ///< that one batch may have at this size

@@ -41,7 +41,7 @@ struct Settings {
     uint32_t gridColumns = 8;       ///< final gather: rays that measure a grid cell's surface
     float lightCutoff = 0.001f;     ///< of the frame's mean direct irradiance
     uint32_t seed = 1;
-    bool reseed = true;          ///< paths are drawn anew every frame
+    bool reseed = true;  ///< paths are drawn anew every frame
     Retrace retrace = Retrace::Auto;
     bool guiding = true;         ///< final gather: photons go where earlier frames looked them up
     bool shadows = true;         ///< `full` and `direct`

@@ -110,8 +110,8 @@ bool repower(PathSplit& split, const std::vector<Emitter>& emitters) {
     for (const Emitter& emitter : emitters) {
         size_t end = first;
         const auto isOurs = [&](const shared::PathRange& range) {
-            return range.index == emitter.index && (range.kind == shared::EMIT_SURFACE) ==
-                                                       (emitter.kind == shared::EMIT_SURFACE);
+            return range.index == emitter.index &&
+                   (range.kind == shared::EMIT_SURFACE) == (emitter.kind == shared::EMIT_SURFACE);
         };
         while (end < ranges.size() && isOurs(ranges[end])) ++end;
         if (end == first) return false;

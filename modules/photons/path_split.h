@@ -47,8 +47,9 @@ struct EmitterPart {
 /// Each emitter as one part, by power alone.
 [[nodiscard]] PathSplit splitPaths(const std::vector<Emitter>& emitters, uint32_t paths);
 
-/// Gives the paths of a split the power that its emitters have now, their numbers as they are. False
-/// where the emitters are others, or their powers so much larger that photons could not hold them.
+/// Gives the paths of a split the power that its emitters have now, their numbers as they are.
+/// False where the emitters are others, or their powers so much larger that photons could not hold
+/// them.
 [[nodiscard]] bool repower(PathSplit& split, const std::vector<Emitter>& emitters);
 
 }  // namespace lampyris::photons

@@ -34,10 +34,9 @@ uint32_t groupsOf(uint32_t paths) {
 
 bool fitsStore(uint32_t paths, uint32_t maxBounces) {
     constexpr uint64_t kStorageRange = uint64_t{128} << 20;
-    const uint64_t perPath =
-        std::max({uint64_t{maxBounces} * sizeof(shared::PackedPhoton),
-                  uint64_t{verticesPerPath(maxBounces)} * sizeof(glm::vec4),
-                  uint64_t{shared::BOOKING_FLOATS} * sizeof(float)});
+    const uint64_t perPath = std::max({uint64_t{maxBounces} * sizeof(shared::PackedPhoton),
+                                       uint64_t{verticesPerPath(maxBounces)} * sizeof(glm::vec4),
+                                       uint64_t{shared::BOOKING_FLOATS} * sizeof(float)});
     return paths * perPath <= kStorageRange;
 }
 
@@ -105,8 +104,9 @@ graph::Buffer addPathLedger(graph::Frame& frame, graph::Buffer bookings, uint32_
     auto node = frame.compute("photon_trace/ledger", shaders::pathLedger);
     node.read(shared::SLOT_BOOKINGS, bookings).push(shared::StoreParams{paths, 0, 0, 0});
     const graph::Buffer ledger = node.write(
-        shared::SLOT_LEDGER, frame.buffer("energy ledger", {uint64_t{groupsOf(paths)} *
-                                                            shared::LEDGER_FLOATS * sizeof(float)}));
+        shared::SLOT_LEDGER,
+        frame.buffer("energy ledger",
+                     {uint64_t{groupsOf(paths)} * shared::LEDGER_FLOATS * sizeof(float)}));
     node.dispatch((groupsOf(paths) * 15 + 63) / 64);
     return ledger;
 }

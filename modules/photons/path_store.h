@@ -17,11 +17,11 @@ namespace lampyris::photons {
 
 /// Which paths of a frame are traced again.
 struct PathChoice {
-    bool all = true;                   ///< nothing is kept
-    std::vector<math::Bounds> boxes;   ///< world; geometry changed in them
-    std::vector<uint32_t> rangesAgain; ///< a word a range of the split, not 0: its emitter changed
-    uint32_t turns = 0;                ///< path p is drawn anew in every `turns`-th frame; 0: never
-    uint32_t turn = 0;                 ///< of this frame
+    bool all = true;                    ///< nothing is kept
+    std::vector<math::Bounds> boxes;    ///< world; geometry changed in them
+    std::vector<uint32_t> rangesAgain;  ///< a word a range of the split, not 0: its emitter changed
+    uint32_t turns = 0;  ///< path p is drawn anew in every `turns`-th frame; 0: never
+    uint32_t turn = 0;   ///< of this frame
 };
 
 /// The store in one graph::Frame.
@@ -35,8 +35,8 @@ class PathStore {
     /// \param device must outlive this.
     explicit PathStore(residency::Device& device);
 
-    /// Makes room. What was there is worth nothing where paths or bounces differ from the last call.
-    /// Errors: a limit or memory of the device.
+    /// Makes room. What was there is worth nothing where paths or bounces differ from the last
+    /// call. Errors: a limit or memory of the device.
     core::Result<void> reserve(uint32_t paths, uint32_t photonsPerPath, uint32_t maxBounces);
     [[nodiscard]] PathStoreHandles import(graph::Frame& frame);
     [[nodiscard]] uint64_t bytes() const;

@@ -69,13 +69,19 @@ core::Result<void> ResidentBuffer::roomInTurn(uint64_t bytes) {
     return {};
 }
 
+core::Result<std::span<std::byte>> ResidentBuffer::stageRoom(uint64_t offset, uint64_t bytes) {
+    CHECK((offset + bytes) <= buffer_.bytes());
+    TRY_VOID(roomInTurn(staged_ + bytes));
+    const auto room = turns_[turn_].mapped().subspan(staged_, bytes);
+    pieces_.push_back({staged_, offset, bytes});
+    staged_ += bytes;
+    return room;
+}
+
 core::Result<void> ResidentBuffer::stage(uint64_t offset, std::span<const std::byte> bytes) {
-    CHECK((offset + bytes.size()) <= buffer_.bytes());
     if (bytes.empty()) return {};
-    TRY_VOID(roomInTurn(staged_ + bytes.size()));
-    std::memcpy(turns_[turn_].mapped().data() + staged_, bytes.data(), bytes.size());
-    pieces_.push_back({staged_, offset, bytes.size()});
-    staged_ += bytes.size();
+    TRY(const std::span<std::byte> room, stageRoom(offset, bytes.size()));
+    std::memcpy(room.data(), bytes.data(), bytes.size());
     return {};
 }
 

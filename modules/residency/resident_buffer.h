@@ -30,6 +30,9 @@ class ResidentBuffer {
     /// Keeps bytes for the `upload…` node of the next import(). They must lie within what was
     /// reserved.
     core::Result<void> stage(uint64_t offset, std::span<const std::byte> bytes);
+    /// The same without the bytes: the caller writes them into the span, which may be slow to read,
+    /// before anything else is staged.
+    core::Result<std::span<std::byte>> stageRoom(uint64_t offset, uint64_t bytes);
     /// Declares the buffer, and where bytes were staged a node named `node` that brings them over.
     [[nodiscard]] graph::Buffer import(graph::Frame& frame, const std::string& node);
 

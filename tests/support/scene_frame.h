@@ -25,7 +25,7 @@ struct SceneFrame {
         need(scene.update(snapshot));
         need(accel.update(snapshot));
         handles = residency::importScene(frame, scene);
-        tree = accel::importAccel(frame, accel);
+        tree = accel::importAccel(frame, accel, handles);
         auto clear = frame.transfer("clear");
         counters = clear.fill(frame.buffer("counters", {sizeof(shared::FrameCounters)}), 0);
     }

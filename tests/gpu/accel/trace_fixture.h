@@ -102,7 +102,7 @@ class TraceTest : public GpuTest {
         need(rayBuffer.stage(0, std::as_bytes(std::span(rays))));
         graph::Frame frame;
         const auto sceneHandles = importScene(frame, scene);
-        const auto accelHandles = importAccel(frame, accel);
+        const auto accelHandles = importAccel(frame, accel, sceneHandles);
         const auto hits = accel::addTraceRays(frame, accelHandles, sceneHandles,
                                               rayBuffer.import(frame, "upload rays"),
                                               {.rayCount = static_cast<uint32_t>(rays.size()),

@@ -140,16 +140,16 @@ TEST_F(KeptPaths, KeepTheMeanOfTheLight) {
     EXPECT_NEAR(keptMean, newMean, 0.025 * newMean);  // three deviations of 13 sets of paths
 }
 
-// Were paths that a change touches drawn anew, fewer and fewer would go where something moves: here a
-// black curtain before half of the open side, that trembles.
+// Were paths that a change touches drawn anew, fewer and fewer would go where something moves: here
+// a black curtain before half of the open side, that trembles.
 TEST_F(KeptPaths, GoOnToWhatMoves) {
     assets::Mesh curtain;
     curtain.positions = {{-5, 0, 0}, {0, 0, 0}, {0, 10, 0}, {-5, 10, 0}};
     curtain.normals.assign(4, {0, 0, 1});
     curtain.indices = {0, 1, 2, 0, 2, 3};
     assets::updateBounds(curtain);
-    const auto black = world_.resource<scene::Library>().addMaterial(
-        scene::lambertian("black", glm::vec3(0.0f)));
+    const auto black =
+        world_.resource<scene::Library>().addMaterial(scene::lambertian("black", glm::vec3(0.0f)));
     const ecs::Entity trembling = scene::spawnMesh(world_, curtain, black, {{0, 0, 5}});
     auto kept = asked(photon_gi::Retrace::Auto, true);
     auto anew = asked(photon_gi::Retrace::All, true);

@@ -162,11 +162,13 @@ TEST_F(Transport, AnOverflowIsReportedAndTheNextFrameHasRoom) {
     wanted.settings.gatherDivisor = 8;
     wanted.settings.radiusMetres = 30.0f;  // more tiles a photon than the first guess allows for
     graph::Frame first;
-    const auto tooSmall = test::need(renderer.run(first, test::need(renderer.declare(first, wanted)), "final"));
+    const auto tooSmall =
+        test::need(renderer.run(first, test::need(renderer.declare(first, wanted)), "final"));
     EXPECT_FALSE(tooSmall.report.valid);
     EXPECT_GT(tooSmall.report.counters.pairsDropped, 0u);
     graph::Frame second;
-    const auto whole = test::need(renderer.run(second, test::need(renderer.declare(second, wanted)), "final"));
+    const auto whole =
+        test::need(renderer.run(second, test::need(renderer.declare(second, wanted)), "final"));
     EXPECT_TRUE(whole.report.valid);
     EXPECT_EQ(whole.report.counters.pairsDropped, 0u);
 }

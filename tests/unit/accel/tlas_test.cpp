@@ -21,11 +21,14 @@ struct Scene : test::SnapshotBuilder {
     }
     Tlas built() {
         TreeBuilder builder;
-        auto tlas = buildTlas(builder, snapshot, places, kOffset);
+        std::vector<BlasPlace> ofInstances;
+        for (const auto& instance : snapshot.instances)
+            ofInstances.push_back(places[instance.mesh]);
+        auto tlas = buildTlas(builder, snapshot, ofInstances, kOffset);
         if (!tlas.ok()) ADD_FAILURE() << tlas.error().message;
         return std::move(tlas).value();
     }
-    std::vector<BlasPlace> places;
+    std::vector<BlasPlace> places;  ///< by mesh
 };
 
 /// The instances that a link leads to.

@@ -24,8 +24,7 @@ TEST(StaticFlicker, IsZeroWhereNothingChanges) {
 
 TEST(StaticFlicker, OfTurnsBetweenTwoValuesIsHalfTheirDistance) {
     StillSequence sequence;
-    for (int i = 0; i < 10; ++i)
-        ASSERT_TRUE(sequence.add(grey(4, 4, i % 2 == 0 ? 90 : 110)).ok());
+    for (int i = 0; i < 10; ++i) ASSERT_TRUE(sequence.add(grey(4, 4, i % 2 == 0 ? 90 : 110)).ok());
     const auto flicker = sequence.flicker();
     ASSERT_TRUE(flicker.ok());
     EXPECT_NEAR(flicker->mean, 10.0, 1e-9);
@@ -75,7 +74,8 @@ std::vector<core::DisplayImage> movingBar(uint32_t frames, uint8_t brightness) {
     for (uint32_t t = 0; t < frames; ++t) {
         pictures.push_back(grey(32, 16, 10));
         for (uint32_t y = 0; y < 16; ++y)
-            for (uint32_t c = 0; c < 3; ++c) pictures.back().values[3 * (32 * y + t) + c] = brightness;
+            for (uint32_t c = 0; c < 3; ++c)
+                pictures.back().values[3 * (32 * y + t) + c] = brightness;
     }
     return pictures;
 }
