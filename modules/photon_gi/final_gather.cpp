@@ -15,6 +15,7 @@ shared::GatherParams finalParams(const shared::View& view, const FinalGatherSett
     params.coarseHeight = coarse.height;
     params.rays = settings.rays;
     params.seed = settings.seed;
+    params.turn = settings.turn;
     params.step = step;
     return params;
 }

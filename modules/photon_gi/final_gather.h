@@ -14,7 +14,8 @@ struct FinalGatherSettings {
     uint32_t divisor;       ///< low resolution, an axis
     uint32_t rays;          ///< a texel
     uint32_t filterLevels;  ///< of the à-trous filter; 0: none
-    uint32_t seed;          ///< of this frame
+    uint32_t seed;          ///< of all frames
+    uint32_t turn;          ///< this frame's number; 0 where frames are all alike
 };
 
 /// Light at low resolution, and where its texels stand.

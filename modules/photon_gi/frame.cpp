@@ -22,7 +22,7 @@ deferred::DirectLight addDirect(graph::Frame& f, const FrameInputs& in, const Se
     if (in.past.still) return deferred::recallDirect(f, {in.view.width, in.view.height});
     if (!s.shadows || s.pipeline == Pipeline::Thesis)
         return deferred::addUnshadowedDirect(f, surface, lights, in.scene);
-    const deferred::ShadowSettings shadow{s.shadowDivisor, s.shadowRays, in.seed};
+    const deferred::ShadowSettings shadow{s.shadowDivisor, s.shadowRays, s.seed};
     const auto shadows = deferred::addShadow(f, surface, lights, in.scene, in.accel, shadow);
     return deferred::addSphereDirect(f, surface, lights, shadows, in.scene, in.accel, keepOf(s));
 }

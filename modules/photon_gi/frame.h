@@ -24,6 +24,7 @@ struct FrameInputs {
     photons::PathChoice choice;         ///< of them, to be traced
     shared::View view{};
     uint32_t seed = 1;  ///< of this frame
+    uint32_t turn = 0;  ///< its number; 0 where every frame draws the same numbers
     Past past;
     bool settles = false;  ///< its picture is kept, see recallFinal()
 };

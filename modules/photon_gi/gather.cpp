@@ -27,6 +27,10 @@ shared::GatherParams gatherParams(const shared::View& view, const GatherSettings
             0,
             0,
             0,
+            0,
+            0,
+            0,
+            0,
             0};
 }
 

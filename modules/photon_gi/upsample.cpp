@@ -14,7 +14,7 @@ graph::Image addUpsample(graph::Frame& frame, const deferred::Surface& surface,
     node.sample(shared::SLOT_GATHER_COARSE, gathered.coarse)
         .uniformData(shared::SLOT_VIEW, surface.view)
         .push(shared::GatherParams{settings.radiusMetres, 1.0f, settings.divisor, coarse.width,
-                                   coarse.height, 0, 0, 0.0f, 0, 0, 0, 0});
+                                   coarse.height, 0, 0, 0.0f, 0, 0, 0, 0, 0, 0, 0, 0});
     graph::Image irradiance =
         node.write(shared::SLOT_GATHER_IRRADIANCE,
                    frame.image("indirect irradiance", {graph::Format::RGBA16Float, size}));

@@ -8,15 +8,23 @@
 #include "lib/ray_origin.glsl"
 #include "lib/sampling.glsl"
 
+// Points of one scrambled sequence, a texel's from firstSample on; all are shifted from frame to frame, so that both the
+// texels of a frame and the frames of a texel share out the directions evenly.
+struct GatherPoints {
+    uint firstSample;
+    uvec2 seed;
+    vec2 shift;
+};
+
 // firstSlot: of the grid, that the first ray looked up; slotMask + 1 if none.
-CoarseLight finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint emitterCount, uint firstSample,
-                        uvec2 seed, out uint firstSlot) {
+CoarseLight finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, uint emitterCount, GatherPoints points,
+                        out uint firstSlot) {
     firstSlot = grid.slotMask + 1u;
     vec3 origin = clearOf(position, normal, viewDepth);
     GatherMix mixed = GatherMix(rays, emitterCount > 0u ? rays : 0u, emitterCount);
     CoarseLight light = CoarseLight(vec3(0.0), vec3(0.0), 1.0);
     for (uint i = 0u; i < rays; ++i) {
-        vec3 direction = sampleCosine(normal, sobol2(firstSample + i, seed));
+        vec3 direction = sampleCosine(normal, fract(sobol2(points.firstSample + i, points.seed) + points.shift));
         Hit hit;
         if (!traceClosest(origin, direction, 0.0, 1e30, hit)) continue;
         Cell cell = cellOf(origin + hit.t * direction, storedNormal(hit.normalWorld), direction);
@@ -26,7 +34,8 @@ CoarseLight finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, 
         addLight(light, share, direction, normal);
         if (i == 0u) firstSlot = slot;
     }
-    if (sceneEmission != 0u) addEmissionSampled(light, origin, normal, mixed, firstSample, seed);
+    if (sceneEmission != 0u) addEmissionSampled(light, origin, normal, mixed, points.firstSample,
+                                                 points.seed + floatBitsToUint(points.shift));
     return light;
 }
 

@@ -48,6 +48,12 @@ vec2 sobol2(uint index, uvec2 seed) {
     return vec2(bits >> 8) * kTwoToMinus24;
 }
 
+// Of a frame: a point shifted by it goes evenly over the unit square, frame by frame (Roberts 2018, R2).
+vec2 frameShift(uint frame) {
+    // Multiples of 2^32 / 1.3247..., and of that ratio's square: whole numbers lose nothing in long runs.
+    return vec2((uvec2(frame) * uvec2(3242174889u, 2447445414u)) >> 8) * kTwoToMinus24;
+}
+
 // A texel's number along a Z-order curve.
 uint zOrder(uvec2 texel) {
     uvec2 b = texel;

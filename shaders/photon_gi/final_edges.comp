@@ -42,7 +42,8 @@ void main() {
         uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed ^ 0x5bd1e995u);
         uint slot;
         uint rays = kRaysAlone * params.rays;
-        irradiance = finalGather(position, z, normal, rays, params.emitterCount, 0u, random, slot).irradiance;
+        irradiance = finalGather(position, z, normal, rays, params.emitterCount,
+                                 GatherPoints(0u, random, vec2(0.0)), slot).irradiance;
     }
     imageStore(irradianceIndirect, pixel, vec4(min(irradiance, vec3(65504.0)), 1.0));
 }

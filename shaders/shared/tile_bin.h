@@ -65,6 +65,8 @@ struct GatherParams {
     uint seed;
     uint step;           // filter: texels between two taps
     uint emitterCount;   // final gather: emissive instances
+    uint turn;           // final gather: the frame's number; 0 where frames are all alike
+    uint pad0, pad1, pad2;
 };
 
 LAMPYRIS_SHARED_END
