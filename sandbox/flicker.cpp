@@ -5,6 +5,8 @@
 #include "command.h"
 #include "core/file.h"
 #include "core/image_io.h"
+#include "core/log.h"
+#include "evaluation/mssim.h"
 #include "flicker/output.h"
 
 namespace lampyris::sandbox {
@@ -53,6 +55,10 @@ core::Result<void> checkFlicker(const Call& call) {
 core::Result<void> prepareFiles(const Call& call) {
     TRY_VOID(checkOutputs(call.options));
     for (const auto& file : {call.map, call.csv, call.plot}) TRY_VOID(checkTarget(file));
+    const auto [width, height] = call.stillSize();
+    if (std::min(width, height) < evaluation::kSsimWindow)
+        return core::error("--size {}x{}: MSSIM needs {}x{} pixels or more", width, height,
+                           evaluation::kSsimWindow, evaluation::kSsimWindow);
     if (call.samplesPerPixel == 0u)
         return core::error("--spp 0: a pixel needs at least one sample");
     if (call.out.empty()) return {};
@@ -107,6 +113,8 @@ core::Result<void> writeFiles(const Call& call, const std::vector<flicker::Row>&
 core::Result<void> measureFlicker(const Call& call) {
     TRY_VOID(prepareFiles(call));
     TRY(flicker::Truths truths, flicker::Truths::open(call));
+    TRY_VOID(truths.still());
+    core::releaseLog();
     std::vector<flicker::Row> rows;
     for (const auto& [name, options] : askedOf(call)) {
         TRY(flicker::Row row, flicker::measureRow(name, options, call, truths));

@@ -21,7 +21,8 @@ class CopyRing {
     ~CopyRing();
 
     /// Submits a copy of an image that rests as Executor::outputImage() leaves it, behind all that
-    /// was submitted so far, and gives the copy of the call before the last, if there was one.
+    /// was submitted so far, and gives the copy of the call before the last, if there was one. The
+    /// image must outlive its copy.
     core::Result<std::optional<RawImage>> turn(const gpu::Image& image,
                                                const graph::ImageDesc& desc);
     /// The oldest copy that turn() has not given yet; none when all are given.

@@ -1,10 +1,16 @@
 #include "flicker/film.h"
 
+#include "core/log.h"
+
 namespace lampyris::sandbox::flicker {
 
 core::Result<Film> Film::open(const Options& options) {
     Film film;
-    TRY(film.loop_, FrameLoop::open(options));
+    // What the scene's file warns of was said when the first loop read it.
+    core::holdLog();
+    auto loop = FrameLoop::open(options);
+    (void)core::takeHeldLog();
+    TRY(film.loop_, std::move(loop));
     film.display_ = options.display;
     return film;
 }

@@ -10,6 +10,7 @@ namespace lampyris::sandbox::flicker {
 
 class Film {
  public:
+    /// Warns of nothing: another loop read the scene before.
     static core::Result<Film> open(const Options& options);
 
     /// Draws frames that nobody looks at.
