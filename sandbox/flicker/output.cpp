@@ -115,6 +115,7 @@ Table tableOf(const Call& call, const std::vector<Row>& rows) {
 
 core::DisplayImage mapOf(const std::vector<Row>& rows) {
     std::vector<core::DisplayImage> maps;
+    maps.reserve(rows.size());
     for (const Row& row : rows)
         maps.push_back(evaluation::heatMap(row.still.flicker.map, kBrightest));
     return evaluation::sideBySide(maps);
