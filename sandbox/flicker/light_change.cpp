@@ -7,7 +7,7 @@
 namespace lampyris::sandbox::flicker {
 namespace {
 
-constexpr float kShareOfScene = 0.2f;  // [chosen] seen over flicker, and still within rooms
+constexpr float kShareOfScene = 0.2f;  // [chosen] as far as the light of cornell has room
 
 float lumaOf(const glm::vec3& power) {
     return glm::dot(power, glm::vec3(0.2126f, 0.7152f, 0.0722f));
