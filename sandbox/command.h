@@ -21,6 +21,7 @@ void addReference(CLI::App& program, Command& called);
 void addView(CLI::App& program, Command& called);
 void addInfo(CLI::App& program, Command& called);
 void addCompare(CLI::App& program, Command& called);
+void addFlicker(CLI::App& program, Command& called);
 void addBench(CLI::App& program, Command& called);
 
 }  // namespace lampyris::sandbox

@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
     sandbox::addReference(app, called);
     sandbox::addView(app, called);
     sandbox::addCompare(app, called);
+    sandbox::addFlicker(app, called);
     sandbox::addBench(app, called);
     sandbox::addInfo(app, called);
     try {

@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "display.h"
+#include "flicker/watch.h"
 #include "fly_camera.h"
 #include "results.h"
 #include "steer_player.h"
@@ -23,14 +24,22 @@ constexpr float kLongestStep =
 constexpr double kIdleSeconds = 0.1;
 constexpr double kTimestep = 1.0 / 60.0;  // seconds a frame, where --timestep does not say
 
+struct ViewOptions : Options {
+    std::filesystem::path flicker;
+};
+
 class Viewer {
  public:
-    Viewer(const Options& options, window::Window& window, FrameLoop& loop,
+    Viewer(const ViewOptions& options, window::Window& window, FrameLoop& loop,
            window::Presenter& presenter)
         : options_(options), window_(window), loop_(loop), presenter_(presenter) {}
 
     core::Result<void> run() {
         const uint32_t warmup = options_.warmup.value_or(0);
+        if (!options_.flicker.empty()) {
+            TRY(flicker::Watch watch, flicker::Watch::create(loop_.device()));
+            watch_.emplace(std::move(watch));
+        }
         for (uint64_t i = 0; !window_.shouldClose() && !isLast(i); ++i) {
             window_.poll();
             follow();
@@ -41,6 +50,10 @@ class Viewer {
                 trace_.add(frame.outcome.statistics);
                 measured_.add(std::move(frame));
             }
+        }
+        if (watch_) {
+            TRY_VOID(watch_->finish(options_.flicker));
+            fmt::print("{}\n", watch_->summary());
         }
         return measured_.series.frames() > 0 ? writeResults(options_, loop_, measured_, trace_)
                                              : core::Result<void>{};
@@ -80,6 +93,9 @@ class Viewer {
             options_.time + static_cast<double>(number) * options_.timestep.value_or(kTimestep);
         TRY_VOID(loop_.follow());
         TRY(LoopFrame frame, loop_.tryDraw(number, false, addNodes));
+        if (watch_ && frame.outcome.report.valid)
+            TRY_VOID(watch_->follow(loop_, loop_.executor().outputImage(shown),
+                                    frame.declared.desc(shown)));
         TRY(const window::Presented presented,
             presenter_.present(loop_.executor().outputImage(shown)));
         if (presented == window::Presented::Closed) window_.requestClose();
@@ -101,17 +117,19 @@ class Viewer {
             counters.mostInTile);
     }
 
-    const Options& options_;
+    const ViewOptions& options_;
     window::Window& window_;
     FrameLoop& loop_;
     window::Presenter& presenter_;
     Measured measured_;
     Trace trace_;
+    std::optional<flicker::Watch> watch_;
     Clock::time_point last_ = Clock::now();
 };
 
-core::Result<void> view(const Options& options) {
+core::Result<void> view(const ViewOptions& options) {
     TRY_VOID(checkOutputs(options));
+    TRY_VOID(checkTarget(options.flicker));
     const graph::Extent size = sizeOf(options);
     TRY(window::Window window,
         window::Window::create({"lampyris: " + options.scene, size.width, size.height}));
@@ -127,11 +145,14 @@ void addView(CLI::App& program, Command& called) {
     auto* app = program.add_subcommand("view",
                                        "Frames in a window; W A S D Q E fly, the left mouse button "
                                        "turns, the arrow keys move the player, Escape ends");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ViewOptions>();
     options->scene = kDefaultScene;
     app->add_option("scene", options->scene, "a built-in name, or a .gltf or .glb file (cornell)");
     addFrameOptions(*app, *options);
     addPictureOptions(*app, *options);
+    app->add_option("--flicker", options->flicker,
+                    "write how much each frame differs from the last; prints flicker and lag")
+        ->type_name("FILE.csv");
     app->callback([options, &called] {
         called.check = [options] { return checkCall(*options); };
         called.run = [options] { return view(*options); };

@@ -99,6 +99,18 @@ TEST_F(View, EndsAfterTheFramesAskedFor) {
     EXPECT_EQ(report["validation_messages"], 0);
 }
 
+TEST_F(View, MeasuresFlickerOfWhatItShows) {
+    const ScratchFolder folder;
+    const auto view = startView(
+        {"--size", "64x36", "--frames", "45", "--validation", "--flicker", folder / "a.csv"});
+    const Ran ran = view->wait(kSeconds);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("over 5 frames; no change was followed"), std::string::npos) << ran.out;
+    const std::string csv = textOf(folder / "a.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 46);
+    EXPECT_NE(csv.find("\n44,44,"), std::string::npos) << "the last frames too";
+}
+
 TEST_F(View, MarksAFrameThatOverflowedAndDrawsTheNextOneRight) {
     // Every photon reaches every tile: the first guess is too small.
     const ScratchFolder folder;

@@ -97,7 +97,7 @@ TEST(WrongCall, LeavesNoFile) {
 }
 
 TEST(WrongCall, HelpIsNone) {
-    for (const char* command : {"render", "view", "bench", "info"}) {
+    for (const char* command : {"render", "view", "flicker", "bench", "info"}) {
         const Ran ran = lampyris({command, "--help"});
         EXPECT_EQ(ran.code, 0);
         EXPECT_EQ(ran.err, "");
