@@ -44,6 +44,13 @@ const std::map<std::string, Benchmark> kBenchmarks{
       with({"--pipeline", "--quality", "--photons", "--radius", "--max-bounces", "--gather",
             "--gather-divisor", "--gather-rays", "--filter-levels", "--history", "--shadow-divisor",
             "--shadow-rays", "--light-cutoff", "--size"})}},
+    {"motion",
+     {benchMotion,
+      "a moving frame beside a frozen and a still one, kept paths beside all anew",
+      {"--pipeline", "--retrace", "--reference", "--spp", "--exposure", "--tonemap"}}},
+    {"soak",
+     {benchSoak, "the courtyard with things that come and go at random: fails where memory grows",
+      with({"--pipeline", "--retrace", "--warmup"})}},
     {"parameter-scaling",
      {benchParameterScaling,
       "the Thesis' table 6.1: cost and error over paths and radius, thesis and full",
@@ -127,7 +134,7 @@ void addBench(CLI::App& program, Command& called) {
         ->type_name("DIR");
     app->add_flag("--quick", call->quick, "smaller and fewer: minutes");
     addFrameOptions(*app, call->options);
-    call->options.display.exposureEv = -1.0f;  // at which cornell is shown well
+    call->options.display.exposureEv = -1.0f;         // at which cornell is shown well
     call->options.retrace = photon_gi::Retrace::All;  // what is kept costs nothing to measure
     addCameraOptions(*app, call->options);
     addDisplayOptions(*app, call->options.display);

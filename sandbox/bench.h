@@ -28,6 +28,8 @@ core::Result<void> benchBinning(const BenchCall& call);  ///< photons to tiles: 
 core::Result<void> benchRays(const BenchCall& call);     ///< the shader's traversal beside Embree's
 core::Result<void> benchAccel(const BenchCall& call);    ///< BVH builds and memory, a scene each
 core::Result<void> benchRefit(const BenchCall& call);    ///< what deforming meshes cost the BVH
+core::Result<void> benchMotion(const BenchCall& call);   ///< what motion costs, and stillness saves
+core::Result<void> benchSoak(const BenchCall& call);     ///< whether memory grows over many frames
 
 // The Thesis' evaluation again; see sandbox/thesis/README.md.
 core::Result<void> benchParameterScaling(const BenchCall& call);

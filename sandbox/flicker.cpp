@@ -72,7 +72,7 @@ core::Result<void> prepareFiles(const Call& call) {
 Options optionsFor(Pipeline pipeline, const Call& call) {
     Options options = call.options;
     options.pipeline = pipeline;
-    options.retrace = "all";
+    options.retrace = photon_gi::Retrace::All;
     if (pipeline == Pipeline::Thesis && options.maxBounces.value_or(1) > 1)
         options.maxBounces.reset();
     return options;

@@ -1,6 +1,7 @@
 #include "frame_loop.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "camera_choice.h"
 #include "core/log.h"
@@ -11,7 +12,7 @@
 namespace lampyris::sandbox {
 namespace {
 
-constexpr int kMostTries =
+constexpr uint32_t kMostTries =
     12;  // [chosen] buffers grow by half at least: past it the device cannot hold them
 
 core::Error overflow(const shared::FrameCounters& counters) {
@@ -48,6 +49,12 @@ double refitMilliseconds(const accel::AccelCounts& counts, const execute::FrameS
 }
 
 }  // namespace
+
+void Dropped::add(const shared::FrameCounters& counters) {
+    photons += counters.photonsDropped;
+    pairs += counters.pairsDropped;
+    cells += counters.cellsDropped;
+}
 
 core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options, bool presentable) {
     auto loop = std::make_unique<FrameLoop>();
@@ -96,13 +103,23 @@ core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, bool readBack,
 
 core::Result<LoopFrame> FrameLoop::draw(uint64_t frameNumber, bool readBack) {
     seconds = startSeconds_ + static_cast<double>(frameNumber) * timestep_;
+    const auto begin = std::chrono::steady_clock::now();
     TRY_VOID(follow());
+    const std::chrono::duration<double, std::milli> update =
+        std::chrono::steady_clock::now() - begin;
     const accel::AccelCounts counts = renderer_->accel().counts();
     shared::FrameCounters last{};
-    for (int i = 0; i < kMostTries; ++i) {
+    Dropped dropped;
+    for (uint32_t i = 0; i < kMostTries; ++i) {
         TRY(LoopFrame frame, tryDraw(frameNumber, readBack));
         last = frame.outcome.report.counters;
-        if (!frame.outcome.report.valid) continue;
+        if (!frame.outcome.report.valid) {
+            dropped.add(last);
+            continue;
+        }
+        frame.updateMilliseconds = update.count();
+        frame.repeats = i;
+        frame.dropped = dropped;
         frame.rebuilds = counts.rebuilds;
         frame.rebuildMilliseconds = counts.rebuildMilliseconds;
         frame.refits = counts.refits;

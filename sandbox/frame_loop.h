@@ -15,6 +15,12 @@
 
 namespace lampyris::sandbox {
 
+/// What found no room.
+struct Dropped {
+    uint64_t photons = 0, pairs = 0, cells = 0;
+    void add(const shared::FrameCounters& counters);
+};
+
 /// A frame that was drawn whole.
 struct LoopFrame {
     graph::Frame declared;
@@ -23,7 +29,10 @@ struct LoopFrame {
     double rebuildMilliseconds = 0.0;
     uint32_t refits = 0;  ///< of bottom-level BVHs, for this frame
     double refitMilliseconds = 0.0;
-    double sahRatioMax = 1.0;  ///< as known after this frame
+    double sahRatioMax = 1.0;         ///< as known after this frame
+    double updateMilliseconds = 0.0;  ///< of follow(), wall time
+    uint32_t repeats = 0;             ///< tries before it that were not whole
+    Dropped dropped;                  ///< in those
 };
 
 class FrameLoop {

@@ -84,7 +84,7 @@ CoarseIrradiance addFinalHistory(graph::Frame& frame, const deferred::Surface& s
     if (motion.valid()) node.sample(shared::SLOT_HISTORY_MOTION, motion);
     bindCoarse(node, newest);
     node.uniformData(shared::SLOT_VIEW, surface.view)
-        .uniformData(shared::SLOT_HISTORY_PARAMS, params)
+        .storageData(shared::SLOT_HISTORY_PARAMS, &params, sizeof(params))
         .storageData(shared::SLOT_HISTORY_CHANGES, places.data(),
                      places.size() * sizeof(shared::ChangedPlace))
         .sample(shared::SLOT_HISTORY_MOMENTS_BEFORE, moments.previous)

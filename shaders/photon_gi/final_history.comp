@@ -11,7 +11,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = SLOT_FINAL_COARSE_IN) uniform usampler2D coarse;
 layout(set = 0, binding = SLOT_FINAL_GUIDE_IN) uniform usampler2D guide;
-layout(set = 0, binding = SLOT_HISTORY_PARAMS, std140) uniform HistoryBlock { HistoryParams past; };
+// No uniform: lavapipe compiles a shader anew for each value of one that its branches hang on, and keeps them all.
+layout(set = 0, binding = SLOT_HISTORY_PARAMS, std430) readonly buffer HistoryBlock { HistoryParams past; };
 layout(set = 0, binding = SLOT_HISTORY_BEFORE) uniform sampler2D meanBefore;    // irradiance, frames in the mean
 layout(set = 0, binding = SLOT_HISTORY_SLOPE_BEFORE) uniform sampler2D slopeBefore;
 layout(set = 0, binding = SLOT_HISTORY_GUIDE_BEFORE) uniform usampler2D guideBefore;

@@ -19,7 +19,7 @@ Arguments bench(const std::string& name, const std::string& out, const Arguments
     };
     if (without("--size")) arguments.insert(arguments.end(), {"--size", "64x36"});
     if (without("--frames")) arguments.insert(arguments.end(), {"--frames", "1"});
-    arguments.insert(arguments.end(), {"--warmup", "0"});
+    if (name != "soak") arguments.insert(arguments.end(), {"--warmup", "0"});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -56,6 +56,46 @@ TEST(Bench, PrintsTablesAndWritesThem) {
             EXPECT_NE(textOf(out / (table + ".md")).find("| "), std::string::npos) << table;
         }
     }
+}
+
+TEST(Bench, Motion) {
+    const ScratchFolder folder;
+    const Ran ran = lampyris(bench("motion", folder / "out", {"--history", "1"}));
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(linesOf(folder / "out/motion.csv"), 6u) << "five ways, a header\n" << ran.out;
+    const std::string table = textOf(folder / "out/motion.csv");
+    for (const char* way : {"moving, all retraced", "frozen, all retraced", "moving, auto",
+                            "still, auto, history filling", "still, auto, history full"})
+        EXPECT_NE(table.find(way), std::string::npos) << way << "\n" << table;
+    // The figures of a way stand behind its name, which holds commas.
+    const size_t full = table.find("history full");
+    ASSERT_NE(full, std::string::npos);
+    EXPECT_NE(table.find("yes,0.000,0.00,0.00,", full), std::string::npos)
+        << "what is settled retraces, refits and rebuilds nothing\n"
+        << table;
+    // Nothing moves in cornell; any scene will do.
+    EXPECT_EQ(lampyris(bench("motion", folder / "cornell",
+                             {"--history", "0", "--scene", "cornell", "--max-bounces", "1"}))
+                  .code,
+              0);
+}
+
+TEST(Bench, Soak) {
+    const ScratchFolder folder;
+    const Ran ran = lampyris(bench("soak", folder / "out", {"--frames", "6", "--validation"}));
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const std::string counts = textOf(folder / "out/soak_counts.csv");
+    EXPECT_NE(counts.find("validation messages,0"), std::string::npos) << counts;
+    EXPECT_NE(counts.find("dropped in frames that were reported,0"), std::string::npos) << counts;
+    EXPECT_NE(textOf(folder / "out/soak_memory.csv").find("frame 3,frame 5"), std::string::npos);
+    expectFiles(folder / "out", {"soak_memory.md", "soak_counts.md"});
+}
+
+TEST(Bench, ListsWhatThereIs) {
+    const Ran ran = lampyris({"bench", "--help"});
+    EXPECT_EQ(ran.code, 0);
+    for (const char* name : {"nodes", "binning", "rays", "accel", "refit", "motion", "soak"})
+        EXPECT_NE(ran.out.find("  " + std::string(name) + " "), std::string::npos) << name;
 }
 
 TEST(Bench, ParameterScaling) {

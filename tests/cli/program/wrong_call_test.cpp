@@ -18,6 +18,8 @@ TEST(WrongCall, NamesWhatIsWrong) {
     expectWrongCall(lampyris({"bench", "nodes", "--spp", "4"}), "--spp");
     expectWrongCall(lampyris({"bench", "binning", "--gather-rays", "4"}), "--gather-rays");
     expectWrongCall(lampyris({"bench", "rays", "--shadow-rays", "4"}), "--shadow-rays");
+    expectWrongCall(lampyris({"bench", "motion", "--retrace", "all"}), "--retrace");
+    expectWrongCall(lampyris({"bench", "soak", "--scene", "cornell"}), "--scene");
     expectWrongCall(lampyris({"bench", "parameter-scaling", "--radius", "1"}), "--radius");
     expectWrongCall(lampyris({"bench", "scene-complexity", "--reference", "a.exr"}), "--reference");
 }
