@@ -28,6 +28,10 @@ FrameSeries::Node& FrameSeries::nodeNamed(const std::string& name) {
     return nodes_.emplace_back(Node{name, none, none});
 }
 
+void FrameSeries::list(const execute::FrameStatistics& frame) {
+    for (const execute::NodeTime& time : frame.nodes) nodeNamed(reportedName(time.name));
+}
+
 void FrameSeries::add(const execute::FrameStatistics& frame) {
     frameMilliseconds_.push_back(frame.gpuMilliseconds);
     for (const execute::NodeTime& time : frame.nodes) nodeNamed(reportedName(time.name));

@@ -23,6 +23,8 @@ struct NodeSummary {
 class FrameSeries {
  public:
     void add(const execute::FrameStatistics& frame);
+    /// A frame that is not measured: its nodes are listed, if only with zeros.
+    void list(const execute::FrameStatistics& frame);
 
     [[nodiscard]] size_t frames() const { return frameMilliseconds_.size(); }
     /// Device milliseconds from a frame's first timestamp to its last.

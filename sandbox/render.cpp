@@ -41,7 +41,10 @@ core::Result<void> render(const RenderOptions& o) {
         for (uint32_t i = 0; i < total; ++i) {
             progress.show(i);
             TRY(LoopFrame frame, loop->draw(i, i + 1 == total));
-            if (i < warmup) continue;
+            if (i < warmup) {
+                measured.series.list(frame.outcome.statistics);
+                continue;
+            }
             trace.add(frame.outcome.statistics);
             measured.add(std::move(frame));
         }
