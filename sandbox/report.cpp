@@ -27,16 +27,15 @@ Json nodesJson(const FrameSeries& series) {
 }
 
 Json photonsJson(const photon_gi::FrameReport& r) {
-    return {
-        {"paths", r.paths},
-        {"stored", r.counters.photonsStored},
-        {"dropped", r.counters.photonsDropped},
-        {"retraced", r.retraced},
-        {"emitted_watts", toJson(r.energy.emitted)},
-        {"absorbed_watts", toJson(r.energy.absorbed)},
-        {"escaped_watts", toJson(r.energy.escaped)},
-        {"in_flight_watts", toJson(r.energy.inFlight)},
-        {"roulette_watts", toJson(r.energy.roulette)}};
+    return {{"paths", r.paths},
+            {"stored", r.counters.photonsStored},
+            {"dropped", r.counters.photonsDropped},
+            {"retraced", r.retraced},
+            {"emitted_watts", toJson(r.energy.emitted)},
+            {"absorbed_watts", toJson(r.energy.absorbed)},
+            {"escaped_watts", toJson(r.energy.escaped)},
+            {"in_flight_watts", toJson(r.energy.inFlight)},
+            {"roulette_watts", toJson(r.energy.roulette)}};
 }
 
 Json accelJson(const accel::AccelCounts& counts, const Measured& measured) {

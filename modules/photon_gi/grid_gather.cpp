@@ -15,7 +15,8 @@ JoinedIrradiance addGridGather(graph::Frame& f, const FrameInputs& in, const Set
                                const Capacities& room, const deferred::Surface& surface,
                                DrawnFrame& out) {
     const photons::TraceSettings trace{s.maxBounces, true, in.seed, room.photons, true};
-    const FinalGatherSettings gather{s.gatherDivisor, s.gatherRays, s.filterLevels, s.seed, in.turn};
+    const FinalGatherSettings gather{s.gatherDivisor, s.gatherRays, s.filterLevels, s.seed,
+                                     in.turn};
     auto cells = photons::beginGrid(
         f, {kCellsPerRadius * s.radiusMetres, room.gridSlots, s.gridColumns, in.seed},
         in.paths.powerScale, clearedCounters(f));
