@@ -132,11 +132,10 @@ TEST(Graph, IsWrittenAsDotAndAsJson) {
 
 TEST(Trace, IsChromesFormat) {
     const ScratchFolder folder;
-    ASSERT_EQ(
-        render("cornell", folder / "a.png",
-               {"--frames", "2", "--retrace", "all", "--trace", folder / "t.json"})
-            .code,
-        0);
+    ASSERT_EQ(render("cornell", folder / "a.png",
+                     {"--frames", "2", "--retrace", "all", "--trace", folder / "t.json"})
+                  .code,
+              0);
     const Json trace = jsonOf(folder / "t.json");
     ASSERT_TRUE(trace["traceEvents"].is_array());
     double end = 0.0;
