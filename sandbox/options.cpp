@@ -41,8 +41,8 @@ struct Preset {
 };
 constexpr Preset kTiles{1000, 1.0f, 2, 0, 0, 0};  // the Thesis's
 constexpr Preset kFineTiles{100000, 0.25f, 1, 0, 0, 0};
-constexpr Preset kFast{2500, 1.0f, 8, 3, 2, 8};
-constexpr Preset kFine{16000, 1.0f, 4, 6, 2, 12};
+constexpr Preset kFast{2500, 1.0f, 8, 3, 3, 8};
+constexpr Preset kFine{16000, 0.5f, 4, 6, 2, 12};
 
 template <typename T>
 std::string namesOf(const std::map<std::string, T>& choices) {
@@ -116,7 +116,7 @@ void addFrameOptions(CLI::App& app, Options& o) {
                    "paths emitted a frame (2500; fine 16000; with tiles 1000; fine 100000)")
         ->check(CLI::Range(1u, 0xffffffffu));
     app.add_option("--radius", o.radius,
-                   "metres that a photon reaches; the final gather's cells are half as wide (1; "
+                   "metres that a photon reaches; the final gather's cells are as wide (1; "
                    "fine tiles 0.25)")
         ->check(finite(1e-6, 1e6));
     app.add_option("--max-bounces", o.maxBounces,
@@ -127,7 +127,7 @@ void addFrameOptions(CLI::App& app, Options& o) {
               "(full: final, thesis: tiles)");
     app.add_option("--gather-rays", o.gatherRays, "final gather: rays a texel (3; fine 6)")
         ->check(CLI::Range(1u, kMaxGatherRays));
-    app.add_option("--filter-levels", o.filterLevels, "final gather: levels of the filter (2)")
+    app.add_option("--filter-levels", o.filterLevels, "final gather: levels of the filter (3)")
         ->check(CLI::Range(0u, kMaxFilterLevels));
     app.add_option("--gather-divisor", o.gatherDivisor,
                    "low resolution, an axis (8; fine 4; with tiles 2; fine 1)")

@@ -1,6 +1,6 @@
-/// \file shadow: at low resolution, how many of a few rays see each light that reaches the texel.
-///   in      surface, light lists, BVH       out   counts, and where each texel stands
-///   shader  deferred/shadow.comp            theory  README [D4]
+/// \file shadow: at low resolution, how much of each light that reaches the texel a few rays see.
+///   in      surface, light lists, BVH       out   shares, and where each texel stands
+///   shader  deferred/shadow.comp, shadow_penumbra.comp       theory  README [D4], [D7]
 #pragma once
 
 #include "accel/accel_on_gpu.h"
@@ -16,15 +16,15 @@ struct ShadowSettings {
 };
 
 struct Shadows {
-    /// R32Uint, `planes` layers for 32 lights: layer k holds bit k of the number of rays that see
-    /// each.
-    graph::Image counts{};
+    /// R32Uint, SHARE_PLANES layers for 32 lights: layer k holds bit k of the share of each that is
+    /// seen, in SHARE_WHOLEths.
+    graph::Image shares{};
     graph::Image guide{};  ///< RGBA32Uint: position as float bits, normal octahedral
     shared::DirectParams params{};
 };
 
-/// Whether the counts of so many lights and rays fit the layers that the device's images may have.
-core::Result<void> checkShadowCounts(uint32_t lights, uint32_t rays, uint32_t maxImageArrayLayers);
+/// Whether the shares of so many lights fit the layers that the device's images may have.
+core::Result<void> checkShadowCounts(uint32_t lights, uint32_t maxImageArrayLayers);
 
 [[nodiscard]] Shadows addShadow(graph::Frame& frame, const Surface& surface,
                                 const LightLists& lights, const residency::SceneHandles& scene,

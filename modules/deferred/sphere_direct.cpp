@@ -87,15 +87,14 @@ DirectLight addSphereDirect(graph::Frame& frame, const Surface& surface, const L
 
     auto node = frame.compute("sphere_direct", shaders::sphereDirect);
     bindShading(node, surface, lights, scene);
-    node.sample(shared::SLOT_SHADOW_COUNTS, shadows.counts)
+    node.sample(shared::SLOT_SHADOW_SHARES, shadows.shares)
         .sample(shared::SLOT_SHADOW_GUIDE, shadows.guide)
         .specialise(shared::SPEC_MANY_LIGHTS, shadows.params.maskWords > 1 ? 1 : 0)
-        .specialise(shared::SPEC_SHADOW_PLANES, shadows.params.planes)
         .push(shadows.params);
     DirectLight direct = writeLight(frame, node, size, keep);
     const uint64_t pixels = uint64_t{size.width} * size.height;
     list.pixels = node.write(shared::SLOT_SHADOW_LIST,
-                             frame.buffer("shadow pixels", {pixels * sizeof(uint32_t)}));
+                             frame.buffer("shadow pixels", {pixels * 2 * sizeof(uint32_t)}));
     list.count = node.update(shared::SLOT_SHADOW_LISTED, list.count);
     node.dispatchOver({shadows.params.coarseWidth + 1, shadows.params.coarseHeight + 1});
     addListedPixels(frame, surface, lights, shadows, list, scene, accel, direct);

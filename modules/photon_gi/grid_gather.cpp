@@ -7,18 +7,20 @@ namespace lampyris::photon_gi {
 namespace {
 
 // [chosen] A grid cell's edge for each metre of --radius.
-constexpr float kCellsPerRadius = 0.5f;
+constexpr float kCellsPerRadius = 1.0f;
 
 }  // namespace
 
 JoinedIrradiance addGridGather(graph::Frame& f, const FrameInputs& in, const Settings& s,
                                const Capacities& room, const deferred::Surface& surface,
                                DrawnFrame& out) {
-    const photons::TraceSettings trace{s.maxBounces, true, in.seed, room.photons, true};
+    const photons::TraceSettings trace{s.maxBounces, true, frameSeed(s, 0),
+                                       room.photons, true, in.turn};
     const FinalGatherSettings gather{s.gatherDivisor, s.gatherRays, s.filterLevels, s.seed,
                                      in.turn};
     auto cells = photons::beginGrid(
-        f, {kCellsPerRadius * s.radiusMetres, room.gridSlots, s.gridColumns, in.seed},
+        f,
+        {kCellsPerRadius * s.radiusMetres, room.gridSlots, s.gridColumns, frameSeed(s, 0), in.turn},
         in.paths.powerScale, clearedCounters(f));
     photons::PhotonList photons;
     const auto take = [&](const photons::PhotonList& batch) {

@@ -159,8 +159,7 @@ core::Result<DrawnFrame> Renderer::declare(graph::Frame& frame, const FrameReque
     in.settles = keepsUnchanged(request.settings) && request.finalAlone &&
                  stillFrames_ > historyFrames(request.settings);
     const Settings& asked = request.settings;
-    const bool shadows = asked.shadows && asked.pipeline != Pipeline::Thesis;
-    shadowRays_ = shadows ? asked.shadowRays : 0;
+    shadows_ = asked.shadows && asked.pipeline != Pipeline::Thesis;
     Settings settings = request.settings;
     settings.largestBatch = std::min(settings.largestBatch, largestBatch_);
     return drawFrame(frame, in, settings, room_);
@@ -196,8 +195,8 @@ core::Result<bool> Renderer::grow(const shared::FrameCounters& counters) {
 core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFrame& drawn,
                                               const std::string& outputNode,
                                               graph::CompileOptions options) {
-    if (shadowRays_ > 0 && drawn.lightReach.valid())
-        TRY_VOID(deferred::checkShadowCounts(scene_.lightCount(), shadowRays_,
+    if (shadows_ && drawn.lightReach.valid())
+        TRY_VOID(deferred::checkShadowCounts(scene_.lightCount(),
                                              scene_.device().limits().core.maxImageArrayLayers));
     execute::RunOptions runOptions;
     if (!outputNode.empty()) {

@@ -104,7 +104,7 @@ class Renderer {
     uint32_t largestBatch_ = 0xffffffffu;  ///< paths; halved while a batch's pairs do not fit
     uint32_t lastBatch_ = 0;               ///< the largest of the last frame
     uint32_t mostPairs_ = 0;               ///< that one batch may have at this size
-    uint32_t shadowRays_ = 0;              ///< that the declared frame sends to each light; 0: none
+    bool shadows_ = false;                 ///< in the declared frame
     Capacities room_;
 };
 

@@ -16,6 +16,17 @@ float fraction(uint32_t x) {
     return static_cast<float>(x >> 8u) * 0x1p-24f;
 }
 
+/// Goes evenly over the unit cube, turn by turn (Roberts 2018, R3), from a place that is the
+/// seed's.
+glm::vec3 offsetOf(const GridSettings& settings) {
+    // Multiples of 2^32 over the root of x^4 = x + 1, 1.2207..., and over its powers.
+    constexpr glm::uvec3 kSteps{3518319155u, 2882110345u, 2360945575u};
+    const uint32_t first = 3 * settings.seed;
+    const glm::uvec3 moved = settings.turn * kSteps;
+    return glm::fract(glm::vec3(fraction(first), fraction(first + 1), fraction(first + 2)) +
+                      glm::vec3(moved >> 8u) * 0x1p-24f);
+}
+
 struct Groups {
     graph::Buffer buffer;
     uint64_t columns = 0, cells = 3 * sizeof(uint32_t);  ///< offsets
@@ -54,12 +65,11 @@ GridCells beginGrid(graph::Frame& frame, const GridSettings& settings, float pow
     const uint32_t capacity = cellsIn(settings.slots);
     GridCells cells;
     cells.counters = counters;
-    cells.params.offsetCell = {fraction(3 * settings.seed), fraction(3 * settings.seed + 1),
-                               fraction(3 * settings.seed + 2), settings.cellMetres};
+    cells.params.offsetCell = glm::vec4(offsetOf(settings), settings.cellMetres);
     cells.params.slotMask = settings.slots - 1;
     cells.params.cellCapacity = capacity;
     cells.params.columns = settings.columns;
-    cells.params.seed = settings.seed;
+    cells.params.seed = settings.seed + settings.turn * 0x85EBCA77u;
     cells.params.powerScale = powerScale;
     auto clear = frame.transfer("irradiance_grid/clear");
     cells.table = clear.fill(frame.buffer("grid table", {tableBytes}), 0);

@@ -15,8 +15,9 @@ struct GridSettings {
     float cellMetres = 0.5f;    ///< a cell's edge
     uint32_t slots = 1u << 16;  ///< of the hash table, a power of two
     uint32_t columns = 16;      ///< rays that measure a cell's surface
-    uint32_t seed = 1;          ///< of this frame: moves the cells, so that frames differ in where
-                                ///< they are coarse
+    uint32_t seed = 1;
+    uint32_t turn = 0;  ///< of this frame: moves the cells, so that frames differ in where they are
+                        ///< coarse
 };
 
 /// The grid while it is being filled, batch by batch.

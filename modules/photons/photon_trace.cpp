@@ -32,7 +32,7 @@ shared::TraceParams paramsOf(const PathSplit& split, const PathBatch& batch,
             settings.seed,
             split.powerScale,
             verticesPerPath(settings.maxBounces),
-            0};
+            settings.turn};
 }
 
 void bindPaths(graph::ComputeNode& node, const residency::SceneHandles& scene,

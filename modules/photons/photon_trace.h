@@ -16,10 +16,12 @@ namespace lampyris::photons {
 struct TraceSettings {
     uint32_t maxBounces = 8;      ///< B: a path hits at most B + 1 surfaces
     bool roulette = true;         ///< past the first bounces
-    uint32_t seed = 1;            ///< of this frame
+    uint32_t seed = 1;            ///< of this frame, or of all that differ in `turn`
     uint32_t photonCapacity = 0;  ///< of the store, in photons
     bool firstHits = false;  ///< keeps hits 0 to B − 1, direct light among them, for a final gather
                              ///< that is itself the last bounce; else hits 1 to B
+    uint32_t turn = 0;  ///< frames of one seed share the ways out of the lights, and off what they
+                        ///< meet first, evenly by their turns
 };
 
 /// The share of the frame's paths that is traced, binned and gathered in one go. What a shader may

@@ -46,6 +46,13 @@ void moveInwards(ecs::World& world, const scene::SnapshotLight& light, const mat
     world.set(light.entity, local);
 }
 
+bool isOff(const scene::SnapshotLight& before, const scene::SceneSnapshot& snapshot) {
+    return std::none_of(snapshot.lights.begin(), snapshot.lights.end(),
+                        [&](const scene::SnapshotLight& light) {
+                            return light.entity == before.entity && lumaOf(light.powerWatts) > 0.0f;
+                        });
+}
+
 bool hasMoved(const scene::SnapshotLight& before, const scene::SceneSnapshot& snapshot) {
     return std::any_of(
         snapshot.lights.begin(), snapshot.lights.end(), [&](const scene::SnapshotLight& light) {

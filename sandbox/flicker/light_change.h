@@ -18,6 +18,9 @@ void setPower(ecs::World& world, ecs::Entity light, const glm::vec3& powerWatts)
 /// Moves it a fifth of the scene's largest side towards the scene's middle.
 void moveInwards(ecs::World& world, const scene::SnapshotLight& light, const math::Bounds& bounds);
 
+/// Whether it gives no light now. A system may have lit it again.
+[[nodiscard]] bool isOff(const scene::SnapshotLight& before, const scene::SceneSnapshot& snapshot);
+
 /// Whether the light is elsewhere now. An animation may have put it back.
 [[nodiscard]] bool hasMoved(const scene::SnapshotLight& before,
                             const scene::SceneSnapshot& snapshot);

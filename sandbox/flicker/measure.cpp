@@ -46,7 +46,9 @@ core::Result<void> measureLags(Film& film, Row& row) {
         return [&loop, &light, watts] { setPower(loop.world(), light->entity, watts); };
     };
     TRY(row.lags[0], follow(film, power(glm::vec3(0.0f))));
+    const bool wentOff = isOff(*light, loop.snapshot());
     TRY(row.lags[1], follow(film, power(light->powerWatts)));
+    if (!wentOff) row.lags[0] = row.lags[1] = std::nullopt;  // a system sets it in each frame
     TRY(row.lags[2],
         follow(film, [&] { moveInwards(loop.world(), *light, loop.snapshot().boundsWorld); }));
     if (!hasMoved(*light, loop.snapshot())) row.lags[2].reset();

@@ -45,7 +45,7 @@ void main() {
         while (left != 0u) {
             uint bit = uint(findLSB(left));
             left &= left - 1u;
-            uint seen = raysThatSee(lights[word * 32u + bit], origin, normal, params.rays, shift, random);
+            uint seen = raysThatSee(lights[word * 32u + bit], origin, normal, params.rays, params.rays, shift, random);
             for (uint k = 0u; k < SHADOW_MOST_PLANES; ++k) bits[k] |= ((seen >> k) & 1u) << bit;
         }
         for (uint k = 0u; k < params.planes; ++k)

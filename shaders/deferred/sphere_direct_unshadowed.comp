@@ -18,7 +18,8 @@ void main() {
         for (uint word = 0u; word < params.maskWords; ++word) {
             uint left = masks[(p.tile * 2u) * params.maskWords + word];
             while (left != 0u) {
-                addLight(p, word * 32u + uint(findLSB(left)), 1.0);
+                uint i = word * 32u + uint(findLSB(left));
+                if (gives(p, i)) addLight(p, i, 1.0);
                 left &= left - 1u;
             }
         }

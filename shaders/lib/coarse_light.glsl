@@ -5,14 +5,14 @@
 struct CoarseLight {
     vec3 irradiance;  // W/m², of the texel's own normal n
     vec3 slope;       // W/m², at right angles to n: the irradiance's mean changes by slope · m towards a normal m
-    float frames;     // in the mean
+    float noise;      // standard deviation of the irradiance, as a share of it; 1 where it is not known
 };
 
 // Seven halves.
 uvec4 packLight(CoarseLight light) {
     vec3 e = min(light.irradiance, vec3(65504.0));
     vec3 s = clamp(light.slope, vec3(-65504.0), vec3(65504.0));
-    return uvec4(packHalf2x16(e.rg), packHalf2x16(vec2(e.b, light.frames)), packHalf2x16(s.xy),
+    return uvec4(packHalf2x16(e.rg), packHalf2x16(vec2(e.b, light.noise)), packHalf2x16(s.xy),
                  packHalf2x16(vec2(s.z, 0.0)));
 }
 
@@ -38,7 +38,7 @@ void addLeaning(inout CoarseLight sum, CoarseLight light, vec3 normal, float wei
 // Such a sum, brought to scale: no light below 0, and the slope at right angles to the normal again.
 CoarseLight settled(CoarseLight sum, vec3 normal, float scale) {
     return CoarseLight(scale * max(sum.irradiance, vec3(0.0)), scale * (sum.slope - normal * dot(normal, sum.slope)),
-                       sum.frames);
+                       sum.noise);
 }
 
 // Adds what comes from a direction: its share of the irradiance of a normal.

@@ -16,10 +16,13 @@ struct PhotonRay {
     vec3 power;  // watts
 };
 
-// The range's own Hammersley set over its part, shifted as a whole by the seed (Cranley-Patterson).
-vec2 emissionSample(PathRange range, uint local, uint seed) {
-    vec2 shift = vec2(tea(uvec2(range.firstPath, seed), 16) & 0x00FFFFFFu) * kTwoToMinus24;
-    return range.part.xy + range.part.zw * fract(hammersley(local, range.pathCount) + shift);
+// A path's way out of its part, and off the first surface: the range's own sequence goes on from frame to frame, without
+// gaps while its paths are as many, so that both a frame's paths and the frames share them out evenly.                       [P2]
+vec4 pathPoint(PathRange range, uint local, uint seed, uint turn) {
+    uint part = range.index ^ (range.kind << 30) ^ floatBitsToUint(range.part.x) ^ bitfieldReverse(floatBitsToUint(range.part.y));
+    uvec2 own = seedRandom(part, seed);
+    vec4 xi = sobol4(turn * range.pathCount + local, uvec4(own, tea(own, 8)));
+    return vec4(range.part.xy + range.part.zw * xi.xy, xi.zw);
 }
 
 // Points spread over the sphere, directions by cosine [Thesis 5.3.2.1].
@@ -57,8 +60,7 @@ PhotonRay emitFromSurface(PathRange range, GpuEmitter emitter, vec2 xi, inout uv
     return PhotonRay(origin + normal * (1e-5 * length(origin) + 1e-6), sampleCosine(normal, random2(random)), power);
 }
 
-PhotonRay emitPhoton(PathRange range, uint local, uint seed, inout uvec2 random) {
-    vec2 xi = emissionSample(range, local, seed);
+PhotonRay emitPhoton(PathRange range, vec2 xi, inout uvec2 random) {
     if (range.kind == EMIT_SURFACE) return emitFromSurface(range, emitters[range.index], xi, random);
     GpuLight light = emissionLights[range.index];
     if (light.power.w > -1.0 || range.kind == EMIT_DIRECTION) return emitByDirection(range, light, xi, random);

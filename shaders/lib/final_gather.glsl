@@ -8,12 +8,10 @@
 #include "lib/ray_origin.glsl"
 #include "lib/sampling.glsl"
 
-// Points of one scrambled sequence, a texel's from firstSample on; all are shifted from frame to frame, so that both the
-// texels of a frame and the frames of a texel share out the directions evenly.
+// Points of one scrambled sequence, a texel's from firstSample on.
 struct GatherPoints {
     uint firstSample;
     uvec2 seed;
-    vec2 shift;
 };
 
 // firstSlot: of the grid, that the first ray looked up; slotMask + 1 if none.
@@ -24,7 +22,7 @@ CoarseLight finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, 
     GatherMix mixed = GatherMix(rays, emitterCount > 0u ? rays : 0u, emitterCount);
     CoarseLight light = CoarseLight(vec3(0.0), vec3(0.0), 1.0);
     for (uint i = 0u; i < rays; ++i) {
-        vec3 direction = sampleCosine(normal, fract(sobol2(points.firstSample + i, points.seed) + points.shift));
+        vec3 direction = sampleCosine(normal, sobol2(points.firstSample + i, points.seed));
         Hit hit;
         if (!traceClosest(origin, direction, 0.0, 1e30, hit)) continue;
         Cell cell = cellOf(origin + hit.t * direction, storedNormal(hit.normalWorld), direction);
@@ -34,8 +32,7 @@ CoarseLight finalGather(vec3 position, float viewDepth, vec3 normal, uint rays, 
         addLight(light, share, direction, normal);
         if (i == 0u) firstSlot = slot;
     }
-    if (sceneEmission != 0u) addEmissionSampled(light, origin, normal, mixed, points.firstSample,
-                                                 points.seed + floatBitsToUint(points.shift));
+    if (sceneEmission != 0u) addEmissionSampled(light, origin, normal, mixed, points.firstSample, points.seed);
     return light;
 }
 

@@ -21,4 +21,11 @@ float jointWeight(vec3 position, vec3 normal, Place other, float spacing) {
     return same * same * max(1.0 - off, 0.0);
 }
 
+// Looser than jointWeight: what hides a light does not hang on a mapped normal, which may lean far from its neighbours'.
+// [D5]
+float sameSurface(vec3 position, vec3 normal, Place other, float spacing) {
+    float off = abs(dot(normal, other.position - position)) / (1.5 * spacing);
+    return dot(normal, other.normal) > 0.5 ? clamp(2.0 - 2.0 * off, 0.0, 1.0) : 0.0;
+}
+
 #endif

@@ -48,11 +48,24 @@ vec2 sobol2(uint index, uvec2 seed) {
     return vec2(bits >> 8) * kTwoToMinus24;
 }
 
-// Of a frame: a point shifted by it goes evenly over the unit square, frame by frame (Roberts 2018, R2).
-vec2 frameShift(uint frame) {
-    // Multiples of 2^32 / 1.3247..., and of that ratio's square: whole numbers lose nothing in long runs.
-    return vec2((uvec2(frame) * uvec2(3242174889u, 2447445414u)) >> 8) * kTwoToMinus24;
+// The same in four dimensions (Joe and Kuo 2008): any 2^k are evenly spread, the less so the more dimensions count.
+vec4 sobol4(uint index, uvec4 seed) {
+    uvec4 bits = uvec4(bitfieldReverse(index), 0u, 0u, 0u);
+    uint y = 0x80000000u;                                              // directions: of the bit, and of the next ones
+    uvec2 z = uvec2(0x80000000u, 0xC0000000u);
+    uvec3 w = uvec3(0x80000000u, 0xC0000000u, 0x20000000u);
+    for (; index != 0u; index >>= 1) {
+        bits.yzw ^= uvec3(y, z.x, w.x) * (index & 1u);
+        y ^= y >> 1;
+        z = uvec2(z.y, z.y ^ z.x ^ (z.x >> 2));
+        w = uvec3(w.yz, w.y ^ w.x ^ (w.x >> 3));
+    }
+    for (int i = 0; i < 4; ++i) bits[i] = owenScramble(bits[i], seed[i]);
+    return vec4(bits >> 8) * kTwoToMinus24;
 }
+
+// What differs from frame to frame where nothing is shared out evenly.
+uint turnSeed(uint seed, uint turn) { return seed + turn * 0x85EBCA77u; }
 
 // A texel's number along a Z-order curve.
 uint zOrder(uvec2 texel) {
@@ -62,6 +75,14 @@ uint zOrder(uvec2 texel) {
     b = (b | (b << 2)) & 0x33333333u;
     b = (b | (b << 1)) & 0x55555555u;
     return b.x | (b.y << 1);
+}
+
+// A texel's number in a frame. A square of 8 x 8 texels has the same 4096 numbers in 64 frames, each once, and 64 that
+// are evenly spread among them in each frame; so has a texel of its own in its 64 frames, and nearly so in fewer: the
+// frame's Gray code, as all bits of a number count for the second coordinate, where the frame twice would cancel.
+uint placeInNet(uvec2 texel, uint frame) {
+    uint turn = frame & 63u;
+    return (((zOrder(texel >> 3) << 6) | (turn ^ (turn >> 1))) << 6) | (zOrder(texel & 7u) ^ turn);
 }
 
 #endif

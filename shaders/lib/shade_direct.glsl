@@ -3,6 +3,9 @@
 #ifndef LAMPYRIS_LIB_SHADE_DIRECT
 #define LAMPYRIS_LIB_SHADE_DIRECT
 #define SURFACE_MATERIAL
+#ifndef LIGHT_ACCESS  // to what other nodes wrote
+#define LIGHT_ACCESS writeonly
+#endif
 #include "lib/direct.glsl"
 #include "lib/surface.glsl"
 #include "shared/direct.h"
@@ -10,8 +13,8 @@
 layout(set = 0, binding = SLOT_LIGHTS, std430) readonly buffer Lights { GpuLight lights[]; };
 layout(set = 0, binding = SLOT_LIGHT_REACH, std430) readonly buffer Reach { float reach[]; };
 layout(set = 0, binding = SLOT_LIGHT_MASKS, std430) readonly buffer Masks { uint masks[]; };
-layout(set = 0, binding = SLOT_IRRADIANCE_DIRECT, rgba16f) uniform writeonly image2D irradianceDirect;
-layout(set = 0, binding = SLOT_SPECULAR_DIRECT, rgba16f) uniform writeonly image2D specularDirect;
+layout(set = 0, binding = SLOT_IRRADIANCE_DIRECT, rgba16f) uniform LIGHT_ACCESS image2D irradianceDirect;
+layout(set = 0, binding = SLOT_SPECULAR_DIRECT, rgba16f) uniform LIGHT_ACCESS image2D specularDirect;
 
 layout(constant_id = SPEC_ANY_SPECULAR) const uint kAnySpecular = 1u;
 
@@ -38,11 +41,17 @@ ShadedPixel beginPixel(ivec2 pixel, float depth) {
     return p;
 }
 
-// seen: the share of the light that nothing hides.
+// Whether the light gives the pixel something where nothing hides it.
+bool gives(ShadedPixel p, uint i) {
+    vec4 light = lights[i].positionRadius;
+    vec3 toLight = light.xyz - p.position;
+    return length(toLight) <= reach[i] && dot(toLight, p.normal) > -light.w;
+}
+
+// Of a light that gives something. seen: the share of it that nothing hides.
 void addLight(inout ShadedPixel p, uint i, float seen) {
     GpuLight light = lights[i];
     vec3 toLight = light.positionRadius.xyz - p.position;
-    if (length(toLight) > reach[i]) return;
     p.irradiance += seen * diffuseIrradiance(light, toLight, p.normal);
     if (kAnySpecular != 0u && any(greaterThan(p.f0, vec3(0.0))) && dot(p.normal, toLight) > 0.0)
         p.specular += seen * normalIrradiance(light, toLight) *

@@ -22,8 +22,18 @@ vec3 pointOnLight(vec3 toCentre, float radius, vec3 normal, vec2 xi, inout uvec2
     return normalize(toCentre + normal * radius);
 }
 
+// Which ray comes i-th: first one of each pair of neighbours, so that half of the set is spread as evenly as the whole
+// (of two numbers that differ in the last bit, the one of even parity).
+uint rayInTurn(uint i, uint rays) {
+    uint pairs = rays / 2u;
+    if (i >= 2u * pairs) return i;
+    uint pair = i % pairs;
+    return 2u * pair + ((uint(bitCount(pair)) + i / pairs) & 1u);
+}
+
+// How many of `rays` see the light. enough: the first so many speak for all where they agree.
 // shift: of the rays' set of points, on the unit square.
-uint raysThatSee(GpuLight light, vec3 origin, vec3 normal, uint rays, vec2 shift, inout uvec2 random) {
+uint raysThatSee(GpuLight light, vec3 origin, vec3 normal, uint rays, uint enough, vec2 shift, inout uvec2 random) {
     vec3 toCentre = light.positionRadius.xyz - origin;
     float d2 = dot(toCentre, toCentre);
     float radius = light.positionRadius.w;
@@ -31,7 +41,9 @@ uint raysThatSee(GpuLight light, vec3 origin, vec3 normal, uint rays, vec2 shift
     if (dot(toCentre, normal) <= -radius) return 0u;       // all of it under the horizon
     uint seen = 0u;
     for (uint i = 0u; i < rays; ++i) {
-        vec3 direction = pointOnLight(toCentre, radius, normal, fract(hammersley(i, rays) + shift), random);
+        if (i == enough && (seen == 0u || seen == enough)) return seen == 0u ? 0u : rays;
+        vec2 xi = fract(hammersley(rayInTurn(i, rays), rays) + shift);
+        vec3 direction = pointOnLight(toCentre, radius, normal, xi, random);
         // Up to the sphere's near side along this direction.
         float b = dot(direction, toCentre);
         if (!traceAny(origin, direction, 0.0, b - sqrt(max(0.0, b * b - d2 + radius * radius)))) ++seen;

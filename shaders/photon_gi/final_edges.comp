@@ -43,7 +43,7 @@ void main() {
         uint slot;
         uint rays = kRaysAlone * params.rays;
         irradiance = finalGather(position, z, normal, rays, params.emitterCount,
-                                 GatherPoints(0u, random, vec2(0.0)), slot).irradiance;
+                                 GatherPoints(0u, random), slot).irradiance;
     }
     imageStore(irradianceIndirect, pixel, vec4(min(irradiance, vec3(65504.0)), 1.0));
 }

@@ -24,8 +24,8 @@ void main() {
         vec3 normal = geometricNormalAt(pixel, depth);
         uint slot;
         light = finalGather(position, viewDepth(depth), normal, params.rays, params.emitterCount,
-                            GatherPoints(zOrder(uvec2(texel)) * params.rays, seedRandom(0u, params.seed),
-                                         frameShift(params.turn)), slot);
+                            GatherPoints(placeInNet(uvec2(texel), params.turn) * params.rays,
+                                         seedRandom(0u, params.seed)), slot);
         if (slot <= grid.slotMask) atomicAdd(lookUps[slot], 1u);  // one ray speaks for all
         place = uvec4(floatBitsToUint(position), packDirection(normal));
     }

@@ -38,8 +38,10 @@ const float kLeastDeviation = 0.02;
 // [chosen] Frames before a spread is known.
 const float kFramesToJudge = 6.0;
 
+
 struct Remembered {
     CoarseLight light;
+    float frames;  // in it
     vec3 moments;  // of the newest light around: mean, mean square, mean of the last frames
 };
 
@@ -55,10 +57,11 @@ vec2 texelCoordinate(vec2 pixel) {
 
 // The mean at a place of the world, as the frame before left it; no frames where it did not see it.
 Remembered rememberedAt(Place place) {
-    CoarseLight sum = CoarseLight(vec3(0.0), vec3(0.0), 0.0);
+    CoarseLight sum = CoarseLight(vec3(0.0), vec3(0.0), 1.0);
+    float frames = 0.0;
     vec3 moments = vec3(0.0);
     vec4 clip = past.worldToClipBefore * vec4(place.position, 1.0);
-    if (clip.w <= 0.0) return Remembered(sum, moments);
+    if (clip.w <= 0.0) return Remembered(sum, 0.0, moments);
     vec2 pixel = (clip.xy / clip.w * 0.5 + 0.5) * vec2(view.width, view.height);
     vec2 at = texelCoordinate(pixel);
     vec2 f = fract(at);
@@ -75,17 +78,14 @@ Remembered rememberedAt(Place place) {
         float weight = bilinear.x * bilinear.y * jointWeight(place.position, place.normal, before, spacing);
         if (!inside) weight = 0.0;
         vec4 irradianceFrames = texelFetch(meanBefore, texel, 0);
-        CoarseLight light =
-            CoarseLight(irradianceFrames.rgb, texelFetch(slopeBefore, texel, 0).xyz, irradianceFrames.a);
+        CoarseLight light = CoarseLight(irradianceFrames.rgb, texelFetch(slopeBefore, texel, 0).xyz, 1.0);
         addLeaning(sum, light, place.normal, weight);
-        sum.frames += weight * light.frames;
+        frames += weight * irradianceFrames.a;
         moments += weight * texelFetch(momentsBefore, texel, 0).rgb;
         total += weight;
     }
     float scale = total >= kLeastWeight ? 1.0 / total : 0.0;
-    CoarseLight light = settled(sum, place.normal, scale);
-    light.frames = scale * sum.frames;
-    return Remembered(light, scale * moments);
+    return Remembered(settled(sum, place.normal, scale), scale * frames, scale * moments);
 }
 
 float mean(vec3 rgb) { return dot(rgb, vec3(1.0 / 3.0)); }
@@ -111,6 +111,13 @@ float disagreement(vec3 moments) {
     return clamp(1.0 - limit / max(abs(moments.z - moments.x), 1e-30), 0.0, 1.0);
 }
 
+// How much a mean of so many frames still trembles, as a share of it.                                              [F3]
+float noiseOf(vec3 moments, float frames) {
+    if (frames < kFramesToJudge) return 1.0 / frames;
+    float deviation = sqrt(max(moments.y - moments.x * moments.x, 0.0) / (2.0 * frames - 1.0));
+    return min(deviation / max(moments.x, 1e-30), 1.0);
+}
+
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     if (texel.x >= int(params.coarseWidth) || texel.y >= int(params.coarseHeight)) return;
@@ -120,13 +127,14 @@ void main() {
     Place place = placeOf(own);
     float seen = newestAround(texel, place);
     vec3 moments = vec3(seen, seen * seen, seen);
+    float inMean = 1.0;
     if (past.mostFrames > 0u) {
         Place before = place;
 #ifdef MOVING
         before.position += texelFetch(motion, representative(texel), 0).xyz;
 #endif
         Remembered remembered = rememberedAt(before);
-        float frames = min(floor(remembered.light.frames + 0.5), float(past.mostFrames));
+        float frames = min(floor(remembered.frames + 0.5), float(past.mostFrames));
         float change = changeByRegions(place.position, past.regionCount);
         if (past.lightCount > 0u) change += changeByLights(place.position, past.regionCount, past.lightCount);
         if (change > 0.0) frames = min(frames, kMostLag / change);
@@ -140,13 +148,14 @@ void main() {
             remembered.moments.xy *= vec2(scale, scale * scale);
             frames *= (1.0 - given) * (1.0 - given);
         }
-        light.frames = frames + 1.0;
-        light.irradiance = mix(remembered.light.irradiance, light.irradiance, 1.0 / light.frames);
-        light.slope = mix(remembered.light.slope, light.slope, 1.0 / light.frames);
-        moments.xy = mix(remembered.moments.xy, moments.xy, 1.0 / light.frames);
+        inMean = frames + 1.0;
+        light.irradiance = mix(remembered.light.irradiance, light.irradiance, 1.0 / inMean);
+        light.slope = mix(remembered.light.slope, light.slope, 1.0 / inMean);
+        moments.xy = mix(remembered.moments.xy, moments.xy, 1.0 / inMean);
     }
+    imageStore(meanKept, texel, vec4(light.irradiance, inMean));
+    light.noise = noiseOf(moments, inMean);
     imageStore(meanShown, texel, packLight(light));
-    imageStore(meanKept, texel, vec4(light.irradiance, light.frames));
     imageStore(slopeKept, texel, vec4(light.slope, 0.0));
     imageStore(momentsKept, texel, vec4(moments, 0.0));
 }

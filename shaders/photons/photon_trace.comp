@@ -36,10 +36,11 @@ const float kFarAway = 1e6;  // [chosen] metres: past any scene
 
 float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
-uint tracePath(uint slot, uint path, uint seed, inout Booking book) {
+uint tracePath(uint slot, uint path, uint turn, inout Booking book) {
     PathRange range = ranges[rangeIndexOf(path, params.rangeCount)];
-    uvec2 random = seedRandom(path, seed);
-    PhotonRay ray = emitPhoton(range, path - range.firstPath, seed, random);
+    uvec2 random = seedRandom(path, turnSeed(params.seed, turn));
+    vec4 point = pathPoint(range, path - range.firstPath, params.seed, turn);
+    PhotonRay ray = emitPhoton(range, point.xy, random);
     vec3 power = ray.power;
     book.emitted = power;
     uint stored = 0u;
@@ -82,14 +83,15 @@ uint tracePath(uint slot, uint path, uint seed, inout Booking book) {
             reflected /= survival;
         }
         vec3 normal = dot(hit.normalWorld, ray.direction) > 0.0 ? -hit.normalWorld : hit.normalWorld;
-        ray.direction = sampleCosine(normal, random2(random));
+        vec2 xi = random2(random);
+        ray.direction = sampleCosine(normal, hitCount == 0u ? point.zw : xi);
         // Clear of the surface by more than the hit point's rounding.
         ray.origin = position + normal * (1e-5 * (length(position) + hit.t) + 1e-6);
         power = reflected;
     }
 #ifdef KEEP
     vertices[firstVertex] = vec4(start, uintBitsToFloat(vertexCount));
-    vertices[firstVertex + 1u].w = uintBitsToFloat(seed);
+    vertices[firstVertex + 1u].w = uintBitsToFloat(turn);
 #endif
     return stored;
 }
@@ -99,9 +101,9 @@ void main() {
     if (gl_GlobalInvocationID.x >= counters.pathsRetraced) return;
     uint path = chosen[gl_GlobalInvocationID.x] & ~CHOSEN_ANEW;
     bool anew = (chosen[gl_GlobalInvocationID.x] & CHOSEN_ANEW) != 0u;
-    uint seed = anew ? params.seed : floatBitsToUint(vertices[path * params.verticesPerPath + 1u].w);
+    uint turn = anew ? params.turn : floatBitsToUint(vertices[path * params.verticesPerPath + 1u].w);
     Booking book = Booking(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    pathCounts[path] = tracePath(path, path, seed, book);
+    pathCounts[path] = tracePath(path, path, turn, book);
     vec3 accounts[5] = vec3[5](book.emitted, book.absorbed, book.escaped, book.inFlight, book.roulette);
     for (uint i = 0u; i < BOOKED; ++i) bookings[path * BOOKING_FLOATS + i] = accounts[i / 3u][i % 3u];
 }
@@ -110,7 +112,7 @@ void main() {
     uint slot = gl_GlobalInvocationID.x;
     uint thread = gl_LocalInvocationIndex;
     Booking book = Booking(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    if (slot < params.pathCount) pathCounts[slot] = tracePath(slot, params.firstPath + slot, params.seed, book);
+    if (slot < params.pathCount) pathCounts[slot] = tracePath(slot, params.firstPath + slot, params.turn, book);
     booked[thread] = book.emitted;
     booked[TRACE_THREADS + thread] = book.absorbed;
     booked[2u * TRACE_THREADS + thread] = book.escaped;

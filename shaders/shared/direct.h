@@ -8,21 +8,23 @@ LAMPYRIS_SHARED_BEGIN
 LAMPYRIS_SLOT(SLOT_TILE_BOUNDS, 0u);       // vec2 a tile: least and greatest view depth; least > greatest: no surface
 LAMPYRIS_SLOT(SLOT_LIGHT_REACH, 2u);       // float a light: metres, then cut-off watts r, g, b
 LAMPYRIS_SLOT(SLOT_LIGHT_MASKS, 3u);       // words a tile: lights that reach it, then lights whose disc it may show
-LAMPYRIS_SLOT(SLOT_SHADOW_COUNTS, 4u);     // image, DirectParams.planes layers for 32 lights: bit i of how many rays saw each
+LAMPYRIS_SLOT(SLOT_SHADOW_COUNTS, 5u);     // image, DirectParams.planes layers for 32 lights: bit i of how many rays saw each
 LAMPYRIS_SLOT(SLOT_IRRADIANCE_DIRECT, 5u);
 LAMPYRIS_SLOT(SLOT_SPECULAR_DIRECT, 6u);
 LAMPYRIS_SLOT(SLOT_SHOWN, 7u);
 LAMPYRIS_SLOT(SLOT_SHADOW_GUIDE, 1u);      // image: where each texel stands
-LAMPYRIS_SLOT(SLOT_SHADOW_LIST, 8u);       // pixels that trace their own rays, x | y << 16
+LAMPYRIS_SLOT(SLOT_SHADOW_LIST, 8u);       // uvec2: a pixel that traces rays of its own, x | y << 16; its lights, of one word
 LAMPYRIS_SLOT(SLOT_SHADOW_LISTED, 9u);     // their number
 LAMPYRIS_SLOT(SLOT_SHADOW_GROUPS, 0u);     // indirect dispatch over them
 
 LAMPYRIS_SLOT(SHADOW_MOST_PLANES, 5u);
+LAMPYRIS_SLOT(SLOT_SHADOW_SHARES, 4u);     // image, SHARE_PLANES layers for 32 lights: bit i of a 31st of each that is seen
+LAMPYRIS_SLOT(SHARE_PLANES, 5u);
+LAMPYRIS_SLOT(SHARE_WHOLE, 31u);
 
 // Specialization constants.
 LAMPYRIS_SLOT(SPEC_MANY_LIGHTS, 0u);       // 0: one word of lights
-LAMPYRIS_SLOT(SPEC_SHADOW_PLANES, 1u);
-LAMPYRIS_SLOT(SPEC_ANY_SPECULAR, 2u);      // 0: every surface is Lambertian
+LAMPYRIS_SLOT(SPEC_ANY_SPECULAR, 1u);      // 0: every surface is Lambertian
 
 LAMPYRIS_SLOT(REACH_THREADS, 256u);
 

@@ -15,7 +15,7 @@ LAMPYRIS_SLOT(SLOT_PHOTONS, 5u);          // PackedPhoton[], in the order (path,
 LAMPYRIS_SLOT(SLOT_COUNTERS, 6u);         // FrameCounters
 
 // photon_trace with a path store: choice, groups, trace, ledger
-LAMPYRIS_SLOT(SLOT_CHOICE_VERTICES, 1u);  // vec4[]: a path's way; as bits, w of the first = how many, w of the second = its seed
+LAMPYRIS_SLOT(SLOT_CHOICE_VERTICES, 1u);  // vec4[]: a path's way; as bits, w of the first = how many, w of the second = the turn in which it was drawn
 LAMPYRIS_SLOT(SLOT_CHOICE_BOXES, 2u);     // vec4[]: lower and upper corners
 LAMPYRIS_SLOT(SLOT_CHOICE_AGAIN, 3u);     // a range: not 0 where its emitter changed
 LAMPYRIS_SLOT(SLOT_CHOSEN_PATHS, 4u);     // paths to trace, CHOSEN_ANEW where with new random numbers
@@ -78,7 +78,7 @@ struct TraceParams {
     uint seed;
     float powerScale;      // watts
     uint verticesPerPath;  // with a path store
-    uint pad0;
+    uint turn;             // of this frame
 };
 
 struct ChoiceParams {
