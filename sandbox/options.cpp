@@ -117,7 +117,7 @@ void addFrameOptions(CLI::App& app, Options& o) {
         ->check(CLI::Range(1u, 0xffffffffu));
     app.add_option("--radius", o.radius,
                    "metres that a photon reaches; the final gather's cells are as wide (1; "
-                   "fine tiles 0.25)")
+                   "fine 0.5; fine tiles 0.25)")
         ->check(finite(1e-6, 1e6));
     app.add_option("--max-bounces", o.maxBounces,
                    "a path hits at most one surface more; 0 is direct light (full 8, thesis 1)")
@@ -127,7 +127,8 @@ void addFrameOptions(CLI::App& app, Options& o) {
               "(full: final, thesis: tiles)");
     app.add_option("--gather-rays", o.gatherRays, "final gather: rays a texel (3; fine 6)")
         ->check(CLI::Range(1u, kMaxGatherRays));
-    app.add_option("--filter-levels", o.filterLevels, "final gather: levels of the filter (3)")
+    app.add_option("--filter-levels", o.filterLevels,
+                   "final gather: levels of the filter (3; fine 2)")
         ->check(CLI::Range(0u, kMaxFilterLevels));
     app.add_option("--gather-divisor", o.gatherDivisor,
                    "low resolution, an axis (8; fine 4; with tiles 2; fine 1)")

@@ -23,8 +23,9 @@ struct FrameInputs {
     photons::PathStoreHandles store{};  ///< where they do
     photons::PathChoice choice;         ///< of them, to be traced
     shared::View view{};
-    uint32_t seed = 1;  ///< of this frame
-    uint32_t turn = 0;  ///< its number; 0 where every frame draws the same numbers
+    uint32_t seed = 1;      ///< of this frame
+    uint32_t turn = 0;      ///< its number; 0 where every frame draws the same numbers
+    uint32_t pathTurn = 0;  ///< of the paths that it draws anew
     Past past;
     bool settles = false;  ///< its picture is kept, see recallFinal()
 };

@@ -15,7 +15,7 @@ JoinedIrradiance addGridGather(graph::Frame& f, const FrameInputs& in, const Set
                                const Capacities& room, const deferred::Surface& surface,
                                DrawnFrame& out) {
     const photons::TraceSettings trace{s.maxBounces, true, frameSeed(s, 0),
-                                       room.photons, true, in.turn};
+                                       room.photons, true, in.pathTurn};
     const FinalGatherSettings gather{s.gatherDivisor, s.gatherRays, s.filterLevels, s.seed,
                                      in.turn};
     auto cells = photons::beginGrid(

@@ -42,12 +42,21 @@ bool PathKeeper::goesOn(const Settings& settings, const Now& now, photons::PathC
     return true;
 }
 
+uint32_t PathKeeper::turnOf(const Settings& settings, const Now& now) {
+    if (!settings.reseed) return 0;
+    if (age_ == 0) drawnIn_ = static_cast<uint32_t>(now.frameNumber);
+    // The frames of a round share a turn: between them they draw a whole stretch of the sequence.
+    return drawnIn_ + (age_ + kTurns - 1) / kTurns;
+}
+
 core::Result<PathPlan> PathKeeper::plan(const Settings& settings, const Now& now,
                                         const std::function<photons::PathSplit()>& newSplit) {
     PathPlan plan;
     if (!keepsUnchanged(settings)) {
         valid_ = false;
+        age_ = 0;
         plan.split = newSplit();
+        plan.turn = turnOf(settings, now);
         return plan;
     }
     if (goesOn(settings, now, plan.choice)) {
@@ -57,6 +66,7 @@ core::Result<PathPlan> PathKeeper::plan(const Settings& settings, const Now& now
         age_ = 0;
     }
     plan.split = split_;
+    plan.turn = turnOf(settings, now);
     plan.kept = split_.paths > 0 && settings.maxBounces > 0 &&
                 split_.paths <= settings.largestBatch &&
                 photons::fitsStore(split_.paths, settings.maxBounces);

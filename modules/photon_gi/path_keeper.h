@@ -13,6 +13,7 @@ namespace lampyris::photon_gi {
 struct PathPlan {
     photons::PathSplit split;
     photons::PathChoice choice;
+    uint32_t turn = 0;  ///< photons::TraceSettings::turn of paths that are drawn anew
     bool kept = false;  ///< they go through the path store
 };
 
@@ -43,12 +44,15 @@ class PathKeeper {
     [[nodiscard]] bool goesOn(const Settings& settings, const Now& now,
                               photons::PathChoice& choice);
 
+    [[nodiscard]] uint32_t turnOf(const Settings& settings, const Now& now);
+
     photons::PathStore store_;
     photons::PathSplit split_;  ///< of the last plan
     Settings settings_;
     std::vector<scene::SnapshotLight> lights_;
     bool valid_ = false;
-    uint32_t age_ = 0;  ///< frames since the paths were drawn up
+    uint32_t age_ = 0;      ///< frames since the paths were drawn up
+    uint32_t drawnIn_ = 0;  ///< the turn of the frame in which they were
 };
 
 }  // namespace lampyris::photon_gi

@@ -155,6 +155,7 @@ core::Result<DrawnFrame> Renderer::declare(graph::Frame& frame, const FrameReque
     in.view = view;
     in.seed = frameSeed(request.settings, request.frameNumber);
     in.turn = request.settings.reseed ? static_cast<uint32_t>(request.frameNumber) : 0;
+    in.pathTurn = plan_.turn;
     in.past = recall(in.view, request.settings);
     in.settles = keepsUnchanged(request.settings) && request.finalAlone &&
                  stillFrames_ > historyFrames(request.settings);

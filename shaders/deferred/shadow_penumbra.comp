@@ -13,9 +13,6 @@ layout(set = 0, binding = SLOT_SHADOW_COUNTS) uniform usampler2DArray shadowCoun
 layout(set = 0, binding = SLOT_SHADOW_GUIDE) uniform usampler2D guide;
 layout(set = 0, binding = SLOT_SHADOW_SHARES, r32ui) uniform writeonly uimage2DArray shadowShares;
 
-// [chosen] Shares of neighbours that differ by more are a narrow penumbra's, or a hard edge's.
-const float kWidePenumbra = 0.7;
-
 uint countsPlane(ivec2 texel, uint word, uint plane) {
     return texelFetch(shadowCounts, ivec3(texel, word * params.planes + plane), 0).r;
 }
@@ -59,7 +56,7 @@ float penumbraShare(ivec2 texel, uint word, uint bit, float weights[9]) {
         least = min(least, share);
         most = max(most, share);
     }
-    return most - least > kWidePenumbra || total <= 0.0 ? own : sum / total;
+    return most - least > kMostApart ? own : sum / total;
 }
 
 void main() {
@@ -69,15 +66,15 @@ void main() {
     bool weighed = false;
     float weights[9];
     for (uint word = 0u; word < params.maskWords; ++word) {
-        uint all = 0xffffffffu, any = 0u;  // lights that every ray sees, that some ray sees
+        uint byAll = 0xffffffffu, bySome = 0u;  // lights that every ray sees, that some ray sees
         for (uint k = 0u; k < params.planes; ++k) {
             uint seen = countsPlane(texel, word, k);
-            all &= ((params.rays >> k) & 1u) != 0u ? seen : ~seen;
-            any |= seen;
+            byAll &= ((params.rays >> k) & 1u) != 0u ? seen : ~seen;
+            bySome |= seen;
         }
         uint shares[SHARE_PLANES];
-        for (uint k = 0u; k < SHARE_PLANES; ++k) shares[k] = all;
-        uint left = any & ~all;
+        for (uint k = 0u; k < SHARE_PLANES; ++k) shares[k] = byAll;
+        uint left = bySome & ~byAll;
         if (left != 0u && !weighed) neighbourWeights(texel, own, weights);
         weighed = weighed || left != 0u;
         while (left != 0u) {

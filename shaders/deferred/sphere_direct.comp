@@ -46,10 +46,10 @@ vec4 sharesSeen(Shares shares, uint bit) {
 }
 
 // Whether texels of the same surface differ more than a penumbra wider than they are makes them: then its edge lies
-// between them. [chosen] Three rays of four.
+// between them.
 bool inDoubt(vec4 shares, bvec4 same) {
     vec4 least = mix(vec4(1.0), shares, same), most = mix(vec4(0.0), shares, same);
-    return max(max(most.x, most.y), max(most.z, most.w)) - min(min(least.x, least.y), min(least.z, least.w)) > 0.7;
+    return max(max(most.x, most.y), max(most.z, most.w)) - min(min(least.x, least.y), min(least.z, least.w)) > kMostApart;
 }
 
 const uint kAll = 0xffffffffu;
@@ -71,7 +71,7 @@ uint shade(inout ShadedPixel p, ivec2 block, Shares first, vec4 weights) {
             vec4 shares = sharesSeen(ofWord, bit);
             uvec4 traced = (ofWord.traced >> bit) & 1u;
             if (alone || inDoubt(shares, same) || any(greaterThan(uvec4(same), traced)))
-                doubted |= 1u << bit;
+                doubted |= 1u << bit;  // of more words all are left
             else
                 addLight(p, word * 32u + bit, dot(weights, shares) / sum);  // not alone: not 0
         }

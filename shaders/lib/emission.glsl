@@ -19,8 +19,8 @@ struct PhotonRay {
 // A path's way out of its part, and off the first surface: the range's own sequence goes on from frame to frame, without
 // gaps while its paths are as many, so that both a frame's paths and the frames share them out evenly.                       [P2]
 vec4 pathPoint(PathRange range, uint local, uint seed, uint turn) {
-    uint part = range.index ^ (range.kind << 30) ^ floatBitsToUint(range.part.x) ^ bitfieldReverse(floatBitsToUint(range.part.y));
-    uvec2 own = seedRandom(part, seed);
+    uvec2 corner = floatBitsToUint(range.part.xy);
+    uvec2 own = tea(seedRandom(range.index | (range.kind << 30), seed) + corner, 8);
     vec4 xi = sobol4(turn * range.pathCount + local, uvec4(own, tea(own, 8)));
     return vec4(range.part.xy + range.part.zw * xi.xy, xi.zw);
 }

@@ -28,4 +28,7 @@ float sameSurface(vec3 position, vec3 normal, Place other, float spacing) {
     return dot(normal, other.normal) > 0.5 ? clamp(2.0 - 2.0 * off, 0.0, 1.0) : 0.0;
 }
 
+// [chosen] Where the shares of a light that texels see differ by more, an edge lies between them.
+const float kMostApart = 0.7;
+
 #endif

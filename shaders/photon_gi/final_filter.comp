@@ -37,7 +37,7 @@ void main() {
     CoarseLight sum = CoarseLight(vec3(0.0), vec3(0.0), ownLight.noise);
     bool first = params.step == 1u;
     float others = first ? 1.0 : min(ownLight.noise / kCalm, 1.0);
-    float spread = first ? 1e30 : kDeviations * ownLight.noise * mean(ownLight);
+    bool unknown = first || ownLight.noise >= 1.0;
     float total = 0.0;
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
@@ -48,7 +48,10 @@ void main() {
                            jointWeight(own.position, own.normal, placeOf(texelFetch(guide, at, 0)), spacing);
             if (!inside) weight = 0.0;
             CoarseLight other = unpackLight(texelFetch(coarse, at, 0));
-            if (x != 0 || y != 0) weight *= others * exp(-abs(mean(other) - mean(ownLight)) / max(spread, 1e-30));
+            // Either's noise: what is taken from a texel is given to it, and no light is lost.
+            float spread = kDeviations * max(ownLight.noise * mean(ownLight), other.noise * mean(other));
+            float apart = unknown ? 0.0 : abs(mean(other) - mean(ownLight)) / max(spread, 1e-30);
+            if (x != 0 || y != 0) weight *= others * exp(-apart);
             addLeaning(sum, other, own.normal, weight);
             total += weight;
         }

@@ -25,7 +25,7 @@ void main() {
         uint slot;
         light = finalGather(position, viewDepth(depth), normal, params.rays, params.emitterCount,
                             GatherPoints(placeInNet(uvec2(texel), params.turn) * params.rays,
-                                         seedRandom(0u, params.seed)), slot);
+                                         seedRandom(params.turn >> 6, params.seed)), slot);
         if (slot <= grid.slotMask) atomicAdd(lookUps[slot], 1u);  // one ray speaks for all
         place = uvec4(floatBitsToUint(position), packDirection(normal));
     }

@@ -38,7 +38,6 @@ const float kLeastDeviation = 0.02;
 // [chosen] Frames before a spread is known.
 const float kFramesToJudge = 6.0;
 
-
 struct Remembered {
     CoarseLight light;
     float frames;  // in it

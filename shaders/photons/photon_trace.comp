@@ -31,6 +31,7 @@ struct Booking {
 };
 
 #ifdef KEEP
+const uint kNormal = 0x40000000u;  // of a float: no device takes such bits for 0
 const float kFarAway = 1e6;  // [chosen] metres: past any scene
 #endif
 
@@ -91,7 +92,7 @@ uint tracePath(uint slot, uint path, uint turn, inout Booking book) {
     }
 #ifdef KEEP
     vertices[firstVertex] = vec4(start, uintBitsToFloat(vertexCount));
-    vertices[firstVertex + 1u].w = uintBitsToFloat(turn);
+    vertices[firstVertex + 1u].w = uintBitsToFloat(turn | kNormal);
 #endif
     return stored;
 }
@@ -101,7 +102,7 @@ void main() {
     if (gl_GlobalInvocationID.x >= counters.pathsRetraced) return;
     uint path = chosen[gl_GlobalInvocationID.x] & ~CHOSEN_ANEW;
     bool anew = (chosen[gl_GlobalInvocationID.x] & CHOSEN_ANEW) != 0u;
-    uint turn = anew ? params.turn : floatBitsToUint(vertices[path * params.verticesPerPath + 1u].w);
+    uint turn = anew ? params.turn : floatBitsToUint(vertices[path * params.verticesPerPath + 1u].w) & ~kNormal;
     Booking book = Booking(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     pathCounts[path] = tracePath(path, path, turn, book);
     vec3 accounts[5] = vec3[5](book.emitted, book.absorbed, book.escaped, book.inFlight, book.roulette);

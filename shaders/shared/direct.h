@@ -9,6 +9,7 @@ LAMPYRIS_SLOT(SLOT_TILE_BOUNDS, 0u);       // vec2 a tile: least and greatest vi
 LAMPYRIS_SLOT(SLOT_LIGHT_REACH, 2u);       // float a light: metres, then cut-off watts r, g, b
 LAMPYRIS_SLOT(SLOT_LIGHT_MASKS, 3u);       // words a tile: lights that reach it, then lights whose disc it may show
 LAMPYRIS_SLOT(SLOT_SHADOW_COUNTS, 5u);     // image, DirectParams.planes layers for 32 lights: bit i of how many rays saw each
+LAMPYRIS_SLOT(SLOT_SHADOW_SHARES, 4u);     // image, SHARE_PLANES layers for 32 lights: bit i of a 31st of each that is seen
 LAMPYRIS_SLOT(SLOT_IRRADIANCE_DIRECT, 5u);
 LAMPYRIS_SLOT(SLOT_SPECULAR_DIRECT, 6u);
 LAMPYRIS_SLOT(SLOT_SHOWN, 7u);
@@ -18,7 +19,6 @@ LAMPYRIS_SLOT(SLOT_SHADOW_LISTED, 9u);     // their number
 LAMPYRIS_SLOT(SLOT_SHADOW_GROUPS, 0u);     // indirect dispatch over them
 
 LAMPYRIS_SLOT(SHADOW_MOST_PLANES, 5u);
-LAMPYRIS_SLOT(SLOT_SHADOW_SHARES, 4u);     // image, SHARE_PLANES layers for 32 lights: bit i of a 31st of each that is seen
 LAMPYRIS_SLOT(SHARE_PLANES, 5u);
 LAMPYRIS_SLOT(SHARE_WHOLE, 31u);
 
