@@ -145,7 +145,7 @@ class Trees {
             staged =
                 store_.nodes.stage(ranges_[0].firstNode * sizeof(Node), bytesOf(trees_[0].nodes));
         });
-        TRY_VOID(staged);
+        if (!staged.ok()) return staged.error();
         graph::Frame frame;
         frame.output(store_.nodes.import(frame, "upload nodes"));
         frame.output(store_.triangles.import(frame, "upload triangles"));
