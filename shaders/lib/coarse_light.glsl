@@ -5,7 +5,7 @@
 struct CoarseLight {
     vec3 irradiance;  // W/m², of the texel's own normal n
     vec3 slope;       // W/m², at right angles to n: the irradiance's mean changes by slope · m towards a normal m
-    float noise;      // of the irradiance around, its deviation as a share of it; a guess in a mean's first frames, 1 at first
+    float noise;      // deviation of the irradiance around, a share of it; a guess in a mean's first frames
 };
 
 // Seven halves.

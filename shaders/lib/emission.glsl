@@ -17,7 +17,7 @@ struct PhotonRay {
 };
 
 // A path's way out of its part, and off the first surface: the range's own sequence goes on from frame to frame, without
-// gaps while its paths are as many, so that both a frame's paths and the frames share them out evenly.                       [P2]
+// gaps while its paths are as many, so that both a frame's paths and the frames share them out evenly.    [P2]
 vec4 pathPoint(PathRange range, uint local, uint seed, uint turn) {
     uvec2 corner = floatBitsToUint(range.part.xy);
     uvec2 own = tea(seedRandom(range.index | (range.kind << 30), seed) + corner, 8);

@@ -17,6 +17,10 @@ const float kCalm = 0.01;
 // [chosen] Of the noise: texels that differ by more differ in light.
 const float kDeviations = 4.0;
 
+// [measured] The widest step where the noise is not known, as in a frame that stands alone: one more leaves `cornell` 4 %
+// off ground truth, not 3.
+const uint kWidestUnknown = 2u;
+
 float mean(CoarseLight light) { return dot(light.irradiance, vec3(1.0 / 3.0)); }
 
 const float kSpline[3] = float[3](6.0 / 16.0, 4.0 / 16.0, 1.0 / 16.0);
@@ -36,8 +40,9 @@ void main() {
     CoarseLight ownLight = unpackLight(texelFetch(coarse, texel, 0));
     CoarseLight sum = CoarseLight(vec3(0.0), vec3(0.0), ownLight.noise);
     bool first = params.step == 1u;
+    bool unknown = ownLight.noise >= 1.0;
     float others = first ? 1.0 : min(ownLight.noise / kCalm, 1.0);
-    bool unknown = first || ownLight.noise >= 1.0;
+    if (unknown && params.step > kWidestUnknown) others = 0.0;
     float total = 0.0;
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
@@ -50,7 +55,7 @@ void main() {
             CoarseLight other = unpackLight(texelFetch(coarse, at, 0));
             // Either's noise: what is taken from a texel is given to it, and no light is lost.
             float spread = kDeviations * max(ownLight.noise * mean(ownLight), other.noise * mean(other));
-            float apart = unknown ? 0.0 : abs(mean(other) - mean(ownLight)) / max(spread, 1e-30);
+            float apart = first || unknown ? 0.0 : abs(mean(other) - mean(ownLight)) / max(spread, 1e-30);
             if (x != 0 || y != 0) weight *= others * exp(-apart);
             addLeaning(sum, other, own.normal, weight);
             total += weight;

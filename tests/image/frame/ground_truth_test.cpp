@@ -88,10 +88,9 @@ class GroundTruth : public test::FrameTest {
         wanted.settings.photonPaths = outputNode == "irradiance_direct" ? 100
                                       : tiles                           ? 2'000'000
                                                                         : 500'000;
-        wanted.settings.radiusMetres = 0.25f;
+        wanted.settings.radiusMetres = tiles ? 0.25f : 0.5f;
         wanted.settings.gatherDivisor = 2;
         wanted.settings.gatherRays = 64;
-        wanted.settings.filterLevels = 2;
         wanted.settings.shadowDivisor = 1;
         return render(snapshot, wanted, outputNode).image;
     }

@@ -24,7 +24,6 @@ class GuidedPhotons : public test::FrameTest {
         constexpr uint64_t kFirst = 6, kFrames = 60;
         wanted.settings.guiding = guiding;
         wanted.settings.gatherRays = 32;  // photons are what is noisy
-        wanted.settings.radiusMetres = 0.5f;
         wanted.settings.photonPaths = 1000;
         test::SceneRenderer renderer(device(), snapshot);
         std::vector<double> sums, squares, means;
