@@ -20,6 +20,7 @@ struct Row {
     glm::vec4 unpacked;
     glm::vec4 exponent;
     glm::vec4 sobol;
+    glm::vec4 sobol4;
 };
 
 constexpr uint32_t kCount = 1u << 16;
@@ -112,6 +113,50 @@ TEST_F(LibFunctions, AlignedRunsOfSobolPointsAreNets) {
                 ++hits[(x << (kBits - bitsX)) + y];
             }
             for (const uint32_t count : hits) ASSERT_EQ(count, 1u) << first << ", " << bitsX;
+        }
+}
+
+/// How many of 2^bits equal parts of the unit interval the values fall into.
+template <typename Values>
+size_t partsHit(const Values& values, int bits) {
+    std::set<uint32_t> parts;
+    for (const float value : values) parts.insert(static_cast<uint32_t>(std::ldexp(value, bits)));
+    return parts.size();
+}
+
+TEST_F(LibFunctions, SobolPointsOfFourDimensionsAreEvenInEach) {
+    const auto all = rows();
+    constexpr uint32_t kRun = 256;
+    for (uint32_t first = 0; first < kCount; first += kRun)
+        for (int d = 0; d < 4; ++d) {
+            std::vector<float> values;
+            for (uint32_t i = first; i < first + kRun; ++i) values.push_back(all[i].sobol4[d]);
+            ASSERT_EQ(partsHit(values, 8), kRun) << first << ", " << d;
+        }
+    for (uint32_t i = 0; i < kCount; ++i)
+        ASSERT_EQ(glm::vec2(all[i].sobol4), glm::vec2(all[i].sobol));
+}
+
+TEST_F(LibFunctions, TexelsOfASquareShareANetOverFrames) {
+    const auto all = rows();
+    const auto placeOf = [&](uint32_t texel, uint32_t frame) {
+        return std::bit_cast<uint32_t>(all[(frame << 6u) | texel].sobol.w);
+    };
+    std::set<uint32_t> places;
+    for (uint32_t frame = 0; frame < 64; ++frame) {
+        std::set<uint32_t> ofFrame;
+        for (uint32_t texel = 0; texel < 64; ++texel) ofFrame.insert(placeOf(texel, frame) / 64);
+        EXPECT_EQ(ofFrame.size(), 1u);  // 64 that follow each other: a net of their own
+        for (uint32_t texel = 0; texel < 64; ++texel) places.insert(placeOf(texel, frame));
+    }
+    EXPECT_EQ(places.size(), 4096u);
+    // A texel goes through the first coordinate, in few frames already.
+    for (uint32_t texel = 0; texel < 64; ++texel)
+        for (uint32_t first = 0; first < 64; first += 16) {
+            std::vector<float> x;
+            for (uint32_t frame = first; frame < first + 16; ++frame)
+                x.push_back(all[placeOf(texel, frame)].sobol.x);
+            EXPECT_EQ(partsHit(x, 4), 16u) << texel << ", " << first;
         }
 }
 

@@ -12,7 +12,8 @@ struct Row {
     vec4 direction;       // on the sphere; w: form factor
     vec4 unpacked;        // the direction through 16-bit octahedral numbers; w: cosine sample's cosine
     vec4 exponent;        // a colour through the shared exponent
-    vec4 sobol;           // a point of the scrambled sequence, the index's place on a Z-order curve as bits
+    vec4 sobol;           // a point of the scrambled sequence; as bits the index's places on a Z-order curve and in the net
+    vec4 sobol4;          // a point of the one in four dimensions
 };
 layout(set = 0, binding = 0, std430) writeonly buffer Rows { Row rows[]; };
 layout(push_constant) uniform Push { uint count; };
@@ -31,6 +32,8 @@ void main() {
     rows[i].radicalTea = vec4(radicalInverse2(i), uintBitsToFloat(hashed & 0x3fffffffu), 0.0);
     rows[i].direction = vec4(direction, sphereFormFactor(cosTheta, sinSigma2));
     rows[i].unpacked = vec4(unpackDirection(packDirection(direction)), dot(scattered, direction));
-    rows[i].sobol = vec4(sobol2(i, uvec2(3u, 9u)), uintBitsToFloat(zOrder(uvec2(i & 255u, i >> 8))), 0.0);
+    rows[i].sobol = vec4(sobol2(i, uvec2(3u, 9u)), uintBitsToFloat(zOrder(uvec2(i & 255u, i >> 8))),
+                         uintBitsToFloat(placeInNet(uvec2(i & 7u, (i >> 3) & 7u), i >> 6)));
+    rows[i].sobol4 = sobol4(i, uvec4(3u, 9u, 27u, 81u));
     rows[i].exponent = vec4(colour - unpackSharedExponent(packSharedExponent(colour)), max(colour.r, max(colour.g, colour.b)));
 }
