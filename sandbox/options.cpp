@@ -41,7 +41,7 @@ struct Preset {
 };
 constexpr Preset kTiles{1000, 1.0f, 2, 0, 0, 0};  // the Thesis's
 constexpr Preset kFineTiles{100000, 0.25f, 1, 0, 0, 0};
-constexpr Preset kFast{2500, 1.0f, 8, 3, 3, 8};
+constexpr Preset kFast{2500, 1.0f, 8, 3, 2, 8};
 constexpr Preset kFine{16000, 0.5f, 4, 6, 2, 12};
 
 template <typename T>
@@ -127,8 +127,7 @@ void addFrameOptions(CLI::App& app, Options& o) {
               "(full: final, thesis: tiles)");
     app.add_option("--gather-rays", o.gatherRays, "final gather: rays a texel (3; fine 6)")
         ->check(CLI::Range(1u, kMaxGatherRays));
-    app.add_option("--filter-levels", o.filterLevels,
-                   "final gather: levels of the filter (3; fine 2)")
+    app.add_option("--filter-levels", o.filterLevels, "final gather: levels of the filter (2)")
         ->check(CLI::Range(0u, kMaxFilterLevels));
     app.add_option("--gather-divisor", o.gatherDivisor,
                    "low resolution, an axis (8; fine 4; with tiles 2; fine 1)")

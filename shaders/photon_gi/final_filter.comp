@@ -17,10 +17,6 @@ const float kCalm = 0.01;
 // [chosen] Of the noise: texels that differ by more differ in light.
 const float kDeviations = 4.0;
 
-// [measured] The widest step where the noise is not known, as in a frame that stands alone: one more leaves `cornell` 4 %
-// off ground truth, not 3.
-const uint kWidestUnknown = 2u;
-
 float mean(CoarseLight light) { return dot(light.irradiance, vec3(1.0 / 3.0)); }
 
 const float kSpline[3] = float[3](6.0 / 16.0, 4.0 / 16.0, 1.0 / 16.0);
@@ -42,7 +38,6 @@ void main() {
     bool first = params.step == 1u;
     bool unknown = ownLight.noise >= 1.0;
     float others = first ? 1.0 : min(ownLight.noise / kCalm, 1.0);
-    if (unknown && params.step > kWidestUnknown) others = 0.0;
     float total = 0.0;
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
