@@ -137,6 +137,19 @@ TEST_F(LibFunctions, SobolPointsOfFourDimensionsAreEvenInEach) {
         ASSERT_EQ(glm::vec2(all[i].sobol4), glm::vec2(all[i].sobol));
 }
 
+TEST_F(LibFunctions, SobolPointsOfFourDimensionsAreEvenInAllAtOnce) {
+    const auto all = rows();
+    constexpr uint32_t kRun = 4096;  // boxes of an eighth a side
+    for (uint32_t first = 0; first < kCount; first += kRun) {
+        std::set<std::array<int, 4>> boxes;
+        for (uint32_t i = first; i < first + kRun; ++i) {
+            const glm::ivec4 box(8.0f * all[i].sobol4);
+            boxes.insert({box.x, box.y, box.z, box.w});
+        }
+        EXPECT_EQ(boxes.size(), kRun) << first;
+    }
+}
+
 TEST_F(LibFunctions, TexelsOfASquareShareANetOverFrames) {
     const auto all = rows();
     const auto placeOf = [&](uint32_t texel, uint32_t frame) {
