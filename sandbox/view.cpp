@@ -9,6 +9,7 @@
 #include "flicker/watch.h"
 #include "fly_camera.h"
 #include "results.h"
+#include "shader_watch.h"
 #include "steer_player.h"
 #include "window/presenter.h"
 
@@ -26,13 +27,18 @@ constexpr double kTimestep = 1.0 / 60.0;  // seconds a frame, where --timestep d
 
 struct ViewOptions : Options {
     std::filesystem::path flicker;
+    std::string shaders;
 };
 
 class Viewer {
  public:
     Viewer(const ViewOptions& options, window::Window& window, FrameLoop& loop,
-           window::Presenter& presenter)
-        : options_(options), window_(window), loop_(loop), presenter_(presenter) {}
+           window::Presenter& presenter, ShaderWatch& shaders)
+        : options_(options),
+          window_(window),
+          loop_(loop),
+          presenter_(presenter),
+          shaders_(shaders) {}
 
     core::Result<void> run() {
         const uint32_t warmup = options_.warmup.value_or(0);
@@ -43,6 +49,7 @@ class Viewer {
         for (uint64_t i = 0; !window_.shouldClose() && !isLast(i); ++i) {
             window_.poll();
             follow();
+            shaders_.update(loop_);
             TRY(LoopFrame frame, draw(i));
             const bool whole = frame.outcome.report.valid;
             window_.setTitle(title(frame.outcome));
@@ -121,6 +128,7 @@ class Viewer {
     window::Window& window_;
     FrameLoop& loop_;
     window::Presenter& presenter_;
+    ShaderWatch& shaders_;
     Measured measured_;
     Trace trace_;
     std::optional<flicker::Watch> watch_;
@@ -130,13 +138,14 @@ class Viewer {
 core::Result<void> view(const ViewOptions& options) {
     TRY_VOID(checkOutputs(options));
     TRY_VOID(checkTarget(options.flicker));
+    TRY(ShaderWatch shaders, ShaderWatch::create(options.shaders));
     const graph::Extent size = sizeOf(options);
     TRY(window::Window window,
         window::Window::create({"lampyris: " + options.scene, size.width, size.height}));
     TRY(const std::unique_ptr<FrameLoop> loop, FrameLoop::open(options, true));
     TRY(window::Presenter presenter,
         window::Presenter::create(loop->device(), window, window::Encoding::Display));
-    return Viewer(options, window, *loop, presenter).run();
+    return Viewer(options, window, *loop, presenter, shaders).run();
 }
 
 }  // namespace
@@ -153,6 +162,10 @@ void addView(CLI::App& program, Command& called) {
     app->add_option("--flicker", options->flicker,
                     "write how much each frame differs from the last; prints flicker and lag")
         ->type_name("FILE.csv");
+    app->add_option("--shaders", options->shaders,
+                    "reload shaders when their files change (those that the program was built "
+                    "from, where they are)")
+        ->type_name("DIR|off");
     app->callback([options, &called] {
         called.check = [options] { return checkCall(*options); };
         called.run = [options] { return view(*options); };
