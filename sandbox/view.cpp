@@ -8,6 +8,7 @@
 #include "display.h"
 #include "flicker/watch.h"
 #include "fly_camera.h"
+#include "live_budget.h"
 #include "results.h"
 #include "shader_watch.h"
 #include "steer_player.h"
@@ -28,6 +29,7 @@ constexpr double kTimestep = 1.0 / 60.0;  // seconds a frame, where --timestep d
 struct ViewOptions : Options {
     std::filesystem::path flicker;
     std::string shaders;
+    std::optional<double> budgetMilliseconds;
 };
 
 class Viewer {
@@ -38,7 +40,8 @@ class Viewer {
           window_(window),
           loop_(loop),
           presenter_(presenter),
-          shaders_(shaders) {}
+          shaders_(shaders),
+          budget_(loop.request.settings, options.budgetMilliseconds) {}
 
     core::Result<void> run() {
         const uint32_t warmup = options_.warmup.value_or(0);
@@ -50,7 +53,9 @@ class Viewer {
             window_.poll();
             follow();
             shaders_.update(loop_);
+            budget_.choose(loop_);
             TRY(LoopFrame frame, draw(i));
+            budget_.learn(frame);
             const bool whole = frame.outcome.report.valid;
             window_.setTitle(title(frame.outcome));
             if (whole && i >= warmup && wantsMeasurements()) {
@@ -114,8 +119,8 @@ class Viewer {
 
     [[nodiscard]] std::string title(const photon_gi::Renderer::Outcome& outcome) const {
         if (outcome.report.valid)
-            return fmt::format("lampyris: {}, {:.1f} ms", options_.scene,
-                               outcome.statistics.gpuMilliseconds);
+            return fmt::format("lampyris: {}, {:.1f} ms{}", options_.scene,
+                               outcome.statistics.gpuMilliseconds, budget_.text());
         const shared::FrameCounters& counters = outcome.report.counters;
         return fmt::format(
             "lampyris: INVALID FRAME, {} photons, {} tile entries and {} grid cells dropped, {} in "
@@ -131,6 +136,7 @@ class Viewer {
     ShaderWatch& shaders_;
     Measured measured_;
     Trace trace_;
+    LiveBudget budget_;
     std::optional<flicker::Watch> watch_;
     Clock::time_point last_ = Clock::now();
 };
@@ -166,8 +172,15 @@ void addView(CLI::App& program, Command& called) {
                     "reload shaders when their files change (those that the program was built "
                     "from, where they are)")
         ->type_name("DIR|off");
+    app->add_option("--budget-ms", options->budgetMilliseconds,
+                    "keep indirect light at so many device milliseconds: gives up paths, radius, "
+                    "rays and resolution as need be")
+        ->check(finite(0.01, 1e6));
     app->callback([options, &called] {
-        called.check = [options] { return checkCall(*options); };
+        called.check = [options]() -> core::Result<void> {
+            TRY_VOID(checkBudget(*options, options->budgetMilliseconds));
+            return checkCall(*options);
+        };
         called.run = [options] { return view(*options); };
     });
 }
