@@ -38,6 +38,7 @@ double medianOf(std::vector<double> values) {
 double standardError(const std::vector<double>& values) {
     const double median = medianOf(values);
     std::vector<double> distances;
+    distances.reserve(values.size());
     for (const double value : values) distances.push_back(std::abs(value - median));
     // 1.48 for a normal distribution's spread, 1.25 for a median's beside a mean's.
     return 1.48 * 1.25 * medianOf(std::move(distances)) /

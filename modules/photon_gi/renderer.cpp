@@ -100,17 +100,16 @@ bool Renderer::seenAsDrawn(const shared::View& view) const {
 }
 
 bool Renderer::settled(const shared::View& view, const FrameRequest& request) const {
-    return request.finalAlone && keepsUnchanged(request.settings) &&
-           seenAsDrawn(view) && drawn_.settings == request.settings &&
-           stillFrames_ > historyFrames(request.settings);
+    return request.finalAlone && keepsUnchanged(request.settings) && seenAsDrawn(view) &&
+           drawn_.settings == request.settings && stillFrames_ > historyFrames(request.settings);
 }
 
 Past Renderer::recall(const shared::View& view, const Settings& settings) {
     Past past;
     past.known =
         executor_->history().known(kHistoryMean, historyMean(view, settings.gatherDivisor));
-    past.still = keepsUnchanged(settings) && seenAsDrawn(view) &&
-                 sameDirectLight(drawn_.settings, settings);
+    past.still =
+        keepsUnchanged(settings) && seenAsDrawn(view) && sameDirectLight(drawn_.settings, settings);
     past.same = drawn_.whole && meanGoesOn(drawn_.settings, settings);
     stillFrames_ = past.still && past.same ? stillFrames_ + 1 : 0;
     past.worldToClip = drawn_.worldToClip;
