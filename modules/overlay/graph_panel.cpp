@@ -173,6 +173,7 @@ void drawMemory(const FrameSeen& seen, LookChoice& choice) {
 }  // namespace
 
 void GraphPanel::draw(const FrameSeen& seen, LookChoice& choice, bool* open) {
+    ImGui::SetNextWindowPos({430.0f, 90.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({460.0f, 480.0f}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Graph", open) && ImGui::BeginTabBar("graph")) {
         if (ImGui::BeginTabItem("Nodes")) {

@@ -82,6 +82,7 @@ void drawFindings(const ImageLook& look) {
 void drawImagePanel(ImageLook& look) {
     if (look.choice.name.empty()) return;
     bool open = true;
+    ImGui::SetNextWindowPos({260.0f, 180.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({480.0f, 420.0f}, ImGuiCond_FirstUseEver);
     const std::string title = "Image: " + look.choice.name + "###image";
     if (ImGui::Begin(title.c_str(), &open)) {

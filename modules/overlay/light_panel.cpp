@@ -114,6 +114,7 @@ void drawEmission(const photons::PathSplit& split) {
 
 void drawLightPanel(const FrameSeen& seen, const photons::PathSplit& split, MarkChoice& choice,
                     bool* open) {
+    ImGui::SetNextWindowPos({60.0f, 220.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({430.0f, 460.0f}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Photons", open)) {
         drawMarks(choice);

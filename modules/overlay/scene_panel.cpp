@@ -38,6 +38,7 @@ bool ScenePanel::matches(const ecs::World& world, ecs::Entity entity) const {
 }
 
 void ScenePanel::draw(ecs::World& world, ecs::Entity& selected, bool* open) {
+    ImGui::SetNextWindowPos({890.0f, 180.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({380.0f, 560.0f}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Scene", open)) {
         if (!world.alive(selected)) selected = {};

@@ -108,6 +108,7 @@ void mend(Settings& settings) {
 
 void drawSettingsPanel(Settings& settings, const Settings& defaults,
                        core::DisplayTransform& display, bool* open) {
+    ImGui::SetNextWindowPos({400.0f, 240.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({560.0f, 480.0f}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Settings", open)) {
         ImGui::SetNextItemWidth(160.0f);

@@ -35,6 +35,7 @@ void TimingPanel::add(const execute::FrameStatistics& frame, double overlayMilli
 }
 
 void TimingPanel::draw(bool* open) {
+    ImGui::SetNextWindowPos({10.0f, 30.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({430.0f, 520.0f}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("GPU timing", open)) {
         drawButtons();

@@ -146,6 +146,7 @@ void TruthPanel::drawFigures(LookChoice& choice) {
 }
 
 void TruthPanel::draw(const FrameSeen& seen, LookChoice& choice, bool* open) {
+    ImGui::SetNextWindowPos({870.0f, 30.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({400.0f, 520.0f}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Truth", open)) {
         drawOverflow(seen.report);

@@ -10,18 +10,17 @@
 namespace lampyris::sandbox::view {
 namespace {
 
-constexpr float kFarthest = 4.0f;   // metres before the camera
-constexpr float kClear = 0.4f;      // metres from what lies behind
-constexpr float kBoxMetres = 0.5f;  // an edge
+constexpr float kShare = 0.7f;       // [chosen] of the way to what is looked at
+constexpr float kOpenMetres = 4.0f;  // before a camera that looks at nothing
+constexpr float kBoxMetres = 0.5f;   // an edge
 constexpr float kLightRadius = 0.1f;
 constexpr float kFirstWatts = 100.0f;
 
 glm::vec3 placeAhead(const scene::SceneSnapshot& snapshot, const scene::SnapshotCamera& camera) {
     const glm::vec3 eye(camera.cameraToWorld[3]);
     const glm::vec3 ahead = -glm::normalize(glm::vec3(camera.cameraToWorld[2]));
-    const auto hit = scene::castRay(snapshot, eye, ahead, kFarthest + kClear);
-    const float distance = hit ? std::max(hit->distanceMetres - kClear, 0.1f) : kFarthest;
-    return eye + distance * ahead;
+    const auto hit = scene::castRay(snapshot, eye, ahead);
+    return eye + (hit ? kShare * hit->distanceMetres : kOpenMetres) * ahead;
 }
 
 }  // namespace

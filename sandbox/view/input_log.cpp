@@ -91,8 +91,10 @@ core::Result<void> checkHead(const std::filesystem::path& path, const Json& head
 
 }  // namespace
 
-InputRecorder::InputRecorder(const std::string& scene)
-    : text_(Json{{"lampyris_inputs", kVersion}, {"scene", scene}}.dump() + "\n") {}
+InputRecorder::InputRecorder(const std::string& scene, const std::string& state)
+    : text_(Json{{"lampyris_inputs", kVersion}, {"scene", scene}, {"state", Json::parse(state)}}
+                .dump() +
+            "\n") {}
 
 void InputRecorder::add(const Moment& moment) {
     text_ += toJson(moment).dump() + "\n";
@@ -102,26 +104,27 @@ core::Result<void> InputRecorder::write(const std::filesystem::path& path) const
     return core::writeFile(path, text_);
 }
 
-core::Result<std::vector<Moment>> readInputLog(const std::filesystem::path& path,
-                                               const std::string& scene) {
+core::Result<InputLog> readInputLog(const std::filesystem::path& path, const std::string& scene) {
     TRY(const auto bytes, core::readFile(path));
     std::istringstream lines(std::string(bytes.begin(), bytes.end()));
-    std::vector<Moment> moments;
+    InputLog log;
     std::string line;
     for (size_t number = 1; std::getline(lines, line); ++number) {
         try {
             const Json json = Json::parse(line);
-            if (number == 1)
-                TRY_VOID(checkHead(path, json, scene));
-            else
-                moments.push_back(toMoment(json));
+            if (number > 1) {
+                log.moments.push_back(toMoment(json));
+                continue;
+            }
+            TRY_VOID(checkHead(path, json, scene));
+            log.state = json.value("state", Json::object()).dump();
         } catch (const std::exception& e) {
             return core::error("{}:{}: is no moment of inputs ({})", path.string(), number,
                                e.what());
         }
     }
-    if (moments.empty()) return core::error("{}: holds no inputs", path.string());
-    return moments;
+    if (log.moments.empty()) return core::error("{}: holds no inputs", path.string());
+    return log;
 }
 
 }  // namespace lampyris::sandbox::view

@@ -158,21 +158,27 @@ void read(const Json& json, ViewState& state) {
 
 }  // namespace
 
-core::Result<void> readState(const std::filesystem::path& path, ViewState& state) {
-    std::error_code code;
-    if (!std::filesystem::exists(path, code)) return {};
-    TRY(const auto bytes, core::readFile(path));
+core::Result<void> parseState(std::string_view text, ViewState& state) {
     ViewState changed = state;
     try {
-        read(Json::parse(bytes.begin(), bytes.end()), changed);
+        read(Json::parse(text), changed);
     } catch (const std::exception& e) {
-        return core::error("{}: {}", path.string(), e.what());
+        return core::error("{}", e.what());
     }
     state = changed;
     return {};
 }
 
-core::Result<void> writeState(const std::filesystem::path& path, const ViewState& state) {
+core::Result<void> readState(const std::filesystem::path& path, ViewState& state) {
+    std::error_code code;
+    if (!std::filesystem::exists(path, code)) return {};
+    TRY(const auto bytes, core::readFile(path));
+    const auto parsed = parseState(std::string(bytes.begin(), bytes.end()), state);
+    if (!parsed.ok()) return core::error("{}: {}", path.string(), parsed.error().message);
+    return {};
+}
+
+std::string stateText(const ViewState& state) {
     Json settings;
     for (const SettingInfo& info : overlay::settingList())
         settings[keyOf(info.name)] = std::visit(Writer{state.settings}, info.field);
@@ -192,7 +198,11 @@ core::Result<void> writeState(const std::filesystem::path& path, const ViewState
         for (int i = 0; i < 16; ++i)
             json["camera_to_world"].push_back((*state.cameraToWorld)[i / 4][i % 4]);
     }
-    return core::writeFile(path, json.dump(2) + "\n");
+    return json.dump(2) + "\n";
+}
+
+core::Result<void> writeState(const std::filesystem::path& path, const ViewState& state) {
+    return core::writeFile(path, stateText(state));
 }
 
 }  // namespace lampyris::sandbox::view

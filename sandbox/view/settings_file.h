@@ -30,4 +30,8 @@ struct ViewState {
 core::Result<void> readState(const std::filesystem::path& path, ViewState& state);
 core::Result<void> writeState(const std::filesystem::path& path, const ViewState& state);
 
+/// The same as text, and back; errors name the value.
+[[nodiscard]] std::string stateText(const ViewState& state);
+core::Result<void> parseState(std::string_view text, ViewState& state);
+
 }  // namespace lampyris::sandbox::view

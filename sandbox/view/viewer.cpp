@@ -56,14 +56,17 @@ core::Result<void> Viewer::prepare() {
     state_.overlay = options_.overlay;
     if (!options_.settings.empty()) TRY_VOID(readState(options_.settings, state_));
     overrideBy(options_, state_.settings);
+    if (!options_.replay.empty()) {
+        TRY(InputLog log, readInputLog(options_.replay, options_.scene));
+        TRY_VOID(parseState(log.state, state_));
+        replayed_ = std::move(log.moments);
+    }
+    if (!state_.cameraToWorld) state_.cameraToWorld = loop_.request.camera.cameraToWorld;
+    if (!options_.record.empty()) recorder_.emplace(options_.scene, stateText(state_));
     loop_.request.settings = state_.settings;
-    if (state_.cameraToWorld) loop_.request.camera.cameraToWorld = *state_.cameraToWorld;
+    loop_.request.camera.cameraToWorld = *state_.cameraToWorld;
     play_.timeScale = state_.timeScale;
     play_.walks = state_.walks;
-    if (!options_.replay.empty()) {
-        TRY(replayed_, readInputLog(options_.replay, options_.scene));
-    }
-    if (!options_.record.empty()) recorder_.emplace(options_.scene);
     if (!options_.flicker.empty()) {
         TRY(flicker::Watch watch, flicker::Watch::create(loop_.device()));
         watch_.emplace(std::move(watch));
@@ -195,9 +198,10 @@ void Viewer::useMouse(const Moment& moment) {
     if (in.clicked[0] && !overlay_->wantsMouse() && !handlesHot_) {
         dragsCamera_ = true;
         draggedPixels_ = 0.0;
+    } else if (dragsCamera_) {
+        draggedPixels_ += std::abs(in.movedX) + std::abs(in.movedY);
     }
     if (!dragsCamera_) return;
-    draggedPixels_ += std::abs(in.movedX) + std::abs(in.movedY);
     if (in.buttons[0]) return;
     dragsCamera_ = false;
     if (draggedPixels_ > kClickPixels) return;
