@@ -1,7 +1,7 @@
 #include "overlay/graph_panel.h"
+#include "overlay/words.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 
@@ -9,10 +9,6 @@ namespace lampyris::overlay {
 namespace {
 
 constexpr float kMemoryHeight = 180.0f;
-
-void text(const std::string& words) {
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
-}
 
 std::string sizeText(uint64_t bytes) {
     if (bytes >= 10u << 20u) return fmt::format("{:.0f} MiB", static_cast<double>(bytes) / 1048576);
@@ -133,7 +129,7 @@ void drawHeap(const FrameSeen& seen, uint32_t heap, LookChoice& choice) {
     const auto bytes = static_cast<float>(std::max<uint64_t>(seen.graph.heaps[heap].bytes, 1));
     const auto steps = static_cast<float>(seen.graph.steps.size() + 1);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 size{ImGui::GetContentRegionAvail().x, kMemoryHeight};
+    const ImVec2 size{remainingWidth(), kMemoryHeight};
     ImGui::InvisibleButton("memory", size);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -1,21 +1,17 @@
 #include "overlay/image_panel.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <array>
 
 #include "overlay/panel_node.h"
+#include "overlay/words.h"
 
 namespace lampyris::overlay {
 namespace {
 
 constexpr std::array kChannels{"red", "green", "blue", "alpha", "colour", "numbered"};
-
-void text(const std::string& words) {
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
-}
 
 void drawChoice(LookChoice& choice, const graph::ImageDesc& desc) {
     int channel = static_cast<int>(choice.channel);
@@ -36,7 +32,7 @@ void drawChoice(LookChoice& choice, const graph::ImageDesc& desc) {
 }
 
 void drawPicture(LookChoice& choice, const graph::ImageDesc& desc) {
-    const float width = std::max(ImGui::GetContentRegionAvail().x, 64.0f);
+    const float width = std::max(remainingWidth(), 64.0f);
     const auto [columns, rows] = desc.extent;
     const float height = width * static_cast<float>(rows) / static_cast<float>(columns);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -65,7 +61,7 @@ void drawFindings(const ImageLook& look) {
     const auto [least, most] = look.range();
     text(fmt::format("from {:.5g} to {:.5g}", least, most));
     if (found->notFinite > 0)
-        ImGui::TextColored({1.0f, 0.3f, 0.25f, 1.0f}, "%u texels are not finite", found->notFinite);
+        ImGui::TextColored(kAlarm, "%u texels are not finite", found->notFinite);
     const uint32_t channel = look.choice.channel;
     std::array<float, shared::LOOK_BINS> bins{};
     for (uint32_t c = 0; c < shared::LOOK_CHANNELS; ++c) {
@@ -74,7 +70,7 @@ void drawFindings(const ImageLook& look) {
             bins[i] += static_cast<float>(found->bins[c * shared::LOOK_BINS + i]);
     }
     ImGui::PlotHistogram("##histogram", bins.data(), static_cast<int>(bins.size()), 0,
-                         "histogram of what is shown", 0.0f, FLT_MAX, {-1.0f, 70.0f});
+                         "histogram of what is shown", 0.0f, FLT_MAX, {remainingWidth(), 70.0f});
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "overlay/light_panel.h"
+#include "overlay/words.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 
@@ -9,10 +9,6 @@ namespace lampyris::overlay {
 namespace {
 
 constexpr float kSquare = 110.0f;  // pixels: an emitter's ways out
-
-void text(const std::string& words) {
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
-}
 
 void drawMarks(MarkChoice& choice) {
     ImGui::Checkbox("photons", &choice.photons);
@@ -104,8 +100,7 @@ void drawEmission(const photons::PathSplit& split) {
                          ranges[first].kind == shared::EMIT_SURFACE ? "surface" : "light",
                          ranges[first].index, paths));
         ImGui::EndGroup();
-        if (ImGui::GetContentRegionAvail().x > 2.5f * kSquare && end < ranges.size())
-            ImGui::SameLine();
+        if (remainingWidth() > 2.5f * kSquare && end < ranges.size()) ImGui::SameLine();
         first = end;
     }
 }

@@ -1,4 +1,5 @@
 #include "overlay/panels.h"
+#include "overlay/words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -24,7 +25,7 @@ void Panels::drawMenu(const FrameSeen& seen, PlayControls* play) {
     }
     if (play != nullptr) drawPlayBar(*play);
     ImGui::Text("  %.2f ms", seen.statistics.gpuMilliseconds);
-    if (!seen.report.valid) ImGui::TextColored({1.0f, 0.3f, 0.25f, 1.0f}, "INVALID FRAME");
+    if (!seen.report.valid) ImGui::TextColored(kAlarm, "INVALID FRAME");
     ImGui::EndMainMenuBar();
 }
 

@@ -8,6 +8,7 @@
 
 #include "ecs/hierarchy.h"
 #include "overlay/json_fields.h"
+#include "overlay/words.h"
 #include "scene/components.h"
 
 namespace lampyris::overlay {
@@ -77,7 +78,7 @@ void ScenePanel::drawInspector(ecs::World& world, ecs::Entity entity) {
         if (!value || !ImGui::CollapsingHeader(entry.name.c_str(), ImGuiTreeNodeFlags_DefaultOpen))
             continue;
         ImGui::PushID(entry.name.c_str());
-        ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x * 0.6f);
+        ImGui::PushItemWidth(remainingWidth() * 0.6f);
         if (editFields(*value)) {
             const auto loaded = entry.load(world, entity, *value, ecs::LoadedEntities{all});
             refused_ = loaded.ok() ? std::string{} : loaded.error().message;
@@ -90,8 +91,7 @@ void ScenePanel::drawInspector(ecs::World& world, ecs::Entity entity) {
         ImGui::Text("in the world at %.3f %.3f %.3f m", static_cast<double>(position.x),
                     static_cast<double>(position.y), static_cast<double>(position.z));
     }
-    if (!refused_.empty())
-        ImGui::TextColored({1.0f, 0.3f, 0.25f, 1.0f}, "refused: %s", refused_.c_str());
+    if (!refused_.empty()) ImGui::TextColored(kAlarm, "refused: %s", refused_.c_str());
     ImGui::PopID();
 }
 

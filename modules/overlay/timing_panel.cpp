@@ -1,12 +1,12 @@
 #include "overlay/timing_panel.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 
 #include "core/file.h"
 #include "execute/chrome_trace.h"
+#include "overlay/words.h"
 
 namespace lampyris::overlay {
 namespace {
@@ -14,10 +14,6 @@ namespace {
 constexpr float kHistoryHeight = 90.0f;
 const ImVec4 kOver{0.95f, 0.35f, 0.25f, 1.0f};
 const ImVec4 kUnder{0.45f, 0.75f, 0.45f, 1.0f};
-
-void text(const std::string& words) {
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
-}
 
 /// A value's share of `whole`, behind the number.
 void bar(float value, float whole) {
@@ -86,7 +82,7 @@ void TimingPanel::drawHistory() {
     float most = *std::max_element(row->gpu.begin(), row->gpu.end());
     if (isFrame) most = std::max(most, budgetMilliseconds);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
+    const float width = remainingWidth();
     const std::string label = fmt::format("{}: {:.2f} ms", row->name, row->gpu.back());
     ImGui::PlotLines("##history", row->gpu.data(), static_cast<int>(row->gpu.size()), 0,
                      label.c_str(), 0.0f, 1.1f * most, {width, kHistoryHeight});

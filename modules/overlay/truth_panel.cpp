@@ -1,22 +1,17 @@
 #include "overlay/truth_panel.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 
 #include "overlay/shaders.h"
+#include "overlay/words.h"
 #include "shared/overlay.h"
 
 namespace lampyris::overlay {
 namespace {
 
 constexpr float kPlotHeight = 48.0f;
-const ImVec4 kRed{1.0f, 0.3f, 0.25f, 1.0f};
-
-void text(const std::string& words) {
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
-}
 
 template <typename Get>
 void plot(const char* name, const std::vector<TruthFigures>& figures, const Get& get) {
@@ -28,7 +23,7 @@ void plot(const char* name, const std::vector<TruthFigures>& figures, const Get&
     const std::string label = fmt::format("{} {:.4g}", name, values.back());
     ImGui::PlotLines(fmt::format("##{}", name).c_str(), values.data(),
                      static_cast<int>(values.size()), 0, label.c_str(), FLT_MAX, FLT_MAX,
-                     {-1.0f, kPlotHeight});
+                     {remainingWidth(), kPlotHeight});
 }
 
 void row(const char* name, const glm::dvec3& watts) {
@@ -55,12 +50,12 @@ void drawEnergy(const photons::EnergyLedger& energy) {
 }
 
 void warn(const char* what, uint32_t count) {
-    if (count > 0) ImGui::TextColored(kRed, "%u %s found no room", count, what);
+    if (count > 0) ImGui::TextColored(kAlarm, "%u %s found no room", count, what);
 }
 
 void drawOverflow(const photon_gi::FrameReport& report) {
     const shared::FrameCounters& c = report.counters;
-    if (!report.valid) ImGui::TextColored(kRed, "this frame is not whole: buffers grow");
+    if (!report.valid) ImGui::TextColored(kAlarm, "this frame is not whole: buffers grow");
     warn("photons", c.photonsDropped);
     warn("tile entries", c.pairsDropped);
     warn("grid cells", c.cellsDropped);
@@ -125,7 +120,7 @@ void TruthPanel::addNode(graph::Frame& frame, const LookChoice& choice) {
 void TruthPanel::drawFigures(LookChoice& choice) {
     if (!worker_) return;
     const TruthState state = worker_->figures();
-    if (!state.error.empty()) ImGui::TextColored(kRed, "%s", state.error.c_str());
+    if (!state.error.empty()) ImGui::TextColored(kAlarm, "%s", state.error.c_str());
     text(fmt::format("reference: {} samples a pixel, {:.0f} s, own error {:.3f} of the mean",
                      state.samples, state.seconds, state.relativeError));
     plot("MSE", state.figures, [](const auto& f) { return std::optional{f.mse}; });

@@ -13,7 +13,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr uint32_t kMostSamples = 4096;  // [chosen] noise is then far under a display's steps
 constexpr double kRoundSeconds = 1.0;    // [chosen] a moved camera waits no longer for its truth
-constexpr uint32_t kMostRound = 64;      // samples
+constexpr uint32_t kLeastRound = 2;      // samples: one has no deviation
+constexpr uint32_t kMostRound = 64;
 constexpr size_t kMostFigures = 240;
 constexpr int kDifferenceGain = 4;  // [chosen] 64 of 255 is white
 
@@ -147,10 +148,10 @@ TruthState TruthWorker::figures() const {
 void TruthWorker::run() {
     std::unique_lock lock(mutex_);
     while (!ends_) {
-        if (frame_ && state_.samples > 0)
-            measureNow(lock);
-        else if (!refine(lock))
-            wake_.wait(lock);
+        // In turn, so that neither starves the other.
+        const bool measured = frame_ && state_.samples > 0;
+        if (measured) measureNow(lock);
+        if (!ends_ && !refine(lock) && !measured) wake_.wait(lock);
     }
 }
 
@@ -166,8 +167,8 @@ bool TruthWorker::refine(std::unique_lock<std::mutex>& lock) {
     settings.seed = state_.samples + 1;
     settings.threads = 1;
     const double each = state_.samples > 0 ? state_.seconds / state_.samples : kRoundSeconds;
-    settings.samplesPerPixel =
-        std::clamp(static_cast<uint32_t>(kRoundSeconds / std::max(each, 1e-3)), 1u, kMostRound);
+    settings.samplesPerPixel = std::clamp(
+        static_cast<uint32_t>(kRoundSeconds / std::max(each, 1e-3)), kLeastRound, kMostRound);
     lock.unlock();
     const auto begin = Clock::now();
     const auto rendered = reference::render(view.snapshot, view.camera, settings);
