@@ -109,7 +109,7 @@ graph::Image addPanels(graph::Frame& frame, const ImDrawData& lists, const gpu::
                           {&font}, graph::Access::Sampled);
     auto node = frame.raster("overlay", extent);
     const graph::Image drawn = node.colour(0, shown);
-    node.sample(shared::SLOT_PANEL_FONT, letters)
+    node.sample(shared::SLOT_PANEL_FONT, letters, graph::Filtering::Linear)
         .sample(shared::SLOT_PANEL_PICTURE, picture.valid() ? picture : letters,
                 graph::Filtering::Nearest)
         .storageData(shared::SLOT_PANEL_VERTICES, joined.vertices.data(),
