@@ -42,7 +42,8 @@ void nameOf(const graph::ResourceInfo& info, LookChoice& choice) {
     if (!info.isImage) return text(info.name);
     if (ImGui::Selectable(info.name.c_str(), choice.name == info.name))
         choice.name = choice.name == info.name ? std::string{} : info.name;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Click to look at it");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Click to look at it; what nobody needed is drawn for that");
 }
 
 void drawBarrier(const FrameSeen& seen, const graph::Barrier& barrier) {
@@ -103,7 +104,8 @@ void drawResources(const FrameSeen& seen, LookChoice& choice) {
     for (size_t i = 0; i < seen.declared.resources().size(); ++i) {
         const graph::ResourceInfo& info = seen.declared.resources()[i];
         const graph::CompiledResource& made = seen.graph.resources[i];
-        if (made.firstStep == graph::kNoStep) continue;
+        const bool idle = made.firstStep == graph::kNoStep;
+        if (idle && !info.isImage) continue;
         ImGui::PushID(static_cast<int>(i));
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
@@ -113,7 +115,10 @@ void drawResources(const FrameSeen& seen, LookChoice& choice) {
         ImGui::TableNextColumn();
         text(originText(info.origin));
         ImGui::TableNextColumn();
-        text(fmt::format("{} to {}", made.firstStep, made.lastStep));
+        if (idle)
+            ImGui::TextDisabled("not drawn");
+        else
+            text(fmt::format("{} to {}", made.firstStep, made.lastStep));
         ImGui::PopID();
     }
     ImGui::EndTable();

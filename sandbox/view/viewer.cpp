@@ -91,6 +91,7 @@ core::Result<void> Viewer::run() {
         const auto moment = nextMoment();
         if (!moment) {
             window_.waitForEvents(kIdleSeconds);
+            rate_.interrupt();
             continue;
         }
         if (recorder_) recorder_->add(*moment);
@@ -100,6 +101,7 @@ core::Result<void> Viewer::run() {
         moveCamera(*moment);
         meetWishes();
         TRY_VOID(draw(*moment, i));
+        if (i >= options_.warmup.value_or(0)) rate_.add(Clock::now());
         if (!play_.paused || std::exchange(play_.step, false))
             loop_.seconds +=
                 static_cast<double>(play_.timeScale) * options_.timestep.value_or(kTimestep);
@@ -121,6 +123,7 @@ core::Result<void> Viewer::finish() {
         if (!state_.fullScreen) state_.size = loop_.request.size;
         TRY_VOID(writeState(options_.settings, state_));
     }
+    if (rate_.frames() > 0) fmt::print("{}\n", rate_.summary());
     if (watch_) {
         TRY_VOID(watch_->finish(options_.flicker));
         fmt::print("{}\n", watch_->summary());

@@ -10,6 +10,7 @@
 #include "overlay/overlay.h"
 #include "overlay/panels.h"
 #include "results.h"
+#include "view/frame_rate.h"
 #include "view/input_log.h"
 #include "view/settings_file.h"
 #include "view/view_options.h"
@@ -72,6 +73,7 @@ class Viewer {
     bool dragsCamera_ = false;
     double draggedPixels_ = 0.0;
 
+    FrameRate rate_;
     Measured measured_;
     execute::ChromeTrace trace_;
     std::optional<flicker::Watch> watch_;

@@ -7,6 +7,7 @@
 #include "scene/motion.h"
 #include "unit/core/scratch_folder.h"
 #include "view/edits.h"
+#include "view/frame_rate.h"
 #include "view/input_log.h"
 #include "view/settings_file.h"
 #include "view/walk_camera.h"
@@ -29,6 +30,21 @@ Moment aMoment() {
     m.input.movedY = -1e-9;
     m.input.scrolled = 2.0;
     return m;
+}
+
+TEST(FrameRate, CountsFromFrameToFrameAndLeavesInterruptionsOut) {
+    FrameRate rate;
+    FrameRate::Clock::time_point now{};
+    EXPECT_EQ(rate.summary(), "no two frames followed each other");
+    for (int i = 0; i <= 100; ++i) {
+        rate.add(now);
+        now += std::chrono::milliseconds(i == 99 ? 400 : 10);
+    }
+    rate.interrupt();
+    rate.add(now + std::chrono::seconds(60));
+    EXPECT_EQ(rate.summary(),
+              "100 frames in 1.4 s, 71.9 a second; median 10.0 ms, 99 % within 10.0, longest "
+              "400.0");
 }
 
 TEST(InputLog, GivesBackWhatWasRecordedToTheBit) {
