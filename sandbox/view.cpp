@@ -46,6 +46,9 @@ void addFileOptions(CLI::App& app, ViewOptions& o) {
         ->type_name("FILE.json");
     app.add_option("--record", o.record, "write all that the user does")->type_name("FILE");
     app.add_option("--replay", o.replay, "do what was recorded, then end")->type_name("FILE");
+    app.add_option("--render-scale", o.renderScale,
+                   "picture pixels a window pixel, an axis (1; on a CPU without --size, 0.25)")
+        ->check(finite(view::kLeastRenderScale, 1.0));
     app.add_option("--screenshots", o.screenshots, "where F12 puts them (here)")
         ->type_name("FOLDER");
 }

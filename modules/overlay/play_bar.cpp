@@ -17,6 +17,9 @@ void drawPlayBar(PlayControls& c) {
         if (ImGui::MenuItem("Single step", ".", false, c.paused)) c.step = true;
         ImGui::SetNextItemWidth(120.0f);
         ImGui::SliderFloat("time scale", &c.timeScale, -4.0f, 4.0f, "%.2f");
+        ImGui::SetNextItemWidth(120.0f);
+        ImGui::SliderFloat("render scale", &c.renderScale, 0.1f, 1.0f, "%.2f",
+                           ImGuiSliderFlags_AlwaysClamp);
         ImGui::MenuItem("Walk", "C", &c.walks);
         if (ImGui::MenuItem("Screenshot", "F12")) c.screenshot = true;
         ImGui::EndMenu();

@@ -147,6 +147,9 @@ void read(const Json& json, ViewState& state) {
     if (json.contains("walks")) state.walks = json["walks"].get<bool>();
     if (json.contains("time_scale"))
         state.timeScale = static_cast<float>(numberOf(json["time_scale"], -100, 100, "time_scale"));
+    if (json.contains("render_scale"))
+        state.renderScale = static_cast<float>(
+            numberOf(json["render_scale"], kLeastRenderScale, 1.0, "render_scale"));
     if (json.contains("camera_to_world")) state.cameraToWorld = matrixOf(json["camera_to_world"]);
     if (json.contains("size")) {
         const auto side = [&](size_t i) {
@@ -191,7 +194,8 @@ std::string stateText(const ViewState& state) {
               {"overlay", state.overlay},
               {"full_screen", state.fullScreen},
               {"walks", state.walks},
-              {"time_scale", state.timeScale}};
+              {"time_scale", state.timeScale},
+              {"render_scale", state.renderScale}};
     if (state.size) json["size"] = {state.size->width, state.size->height};
     if (state.cameraToWorld) {
         json["camera_to_world"] = Json::array();

@@ -13,6 +13,8 @@
 
 namespace lampyris::sandbox::view {
 
+constexpr double kLeastRenderScale = 0.05;
+
 struct ViewState {
     photon_gi::Settings settings;
     core::DisplayTransform display;
@@ -22,6 +24,7 @@ struct ViewState {
     std::optional<graph::Extent> size;  ///< of the window
     std::optional<glm::mat4> cameraToWorld;
     float timeScale = 1.0f;
+    float renderScale = 1.0f;  ///< picture pixels a window pixel, an axis
     bool walks = false;
 };
 

@@ -12,6 +12,7 @@ struct ViewOptions : Options {
     std::filesystem::path replay;       ///< --replay
     std::filesystem::path screenshots;  ///< --screenshots: a folder
     bool overlay = true;
+    std::optional<float> renderScale;  ///< --render-scale: picture pixels a window pixel, an axis
 };
 
 }  // namespace lampyris::sandbox

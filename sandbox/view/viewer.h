@@ -33,6 +33,8 @@ class Viewer {
  private:
     core::Result<void> prepare();
     core::Result<void> finish();
+    /// --render-scale, the file's, or what the device can do.
+    [[nodiscard]] float firstRenderScale() const;
     [[nodiscard]] bool isLast(uint64_t frame) const;
     /// What happens next: from the window, or from the log. None while minimised.
     std::optional<Moment> nextMoment();
@@ -62,6 +64,7 @@ class Viewer {
     overlay::PlayControls play_;
     overlay::Handles handles_;
     ecs::Entity selected_;
+    graph::Extent windowSize_{};  ///< pixels
     WalkCamera walk_;
     std::optional<LoopFrame> last_;  ///< the last frame, for the panels
 
