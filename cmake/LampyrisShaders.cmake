@@ -2,7 +2,8 @@
 #   entry  deferred/gbuffer.vert                                       a file under shaders/
 #          photon_trace_masked.comp:photons/photon_trace.comp:-DX=1    a variant: name, file, definitions
 # Compiles every shader to SPIR-V and embeds it; the target gets "<name>/shaders.h", which declares
-# lampyris::<name>::shaders::gbufferVert and the like. ROOT is where files lie, shaders/ if left out.
+# lampyris::<name>::shaders::gbufferVert and the like, with the file and definitions each came from, so that
+# engine/shader_reload can make it again. ROOT is where files lie, shaders/ if left out.
 if(LAMPYRIS_VULKAN)
     find_program(LAMPYRIS_GLSLANG glslangValidator REQUIRED)
 endif()
@@ -32,7 +33,7 @@ function(lampyris_shaders)
             DEPENDS ${ARG_ROOT}/${file} DEPFILE ${binary}.d
             COMMENT "Compiling shader ${ARG_MODULE}/${name}" VERBATIM)
         list(APPEND binaries ${binary})
-        list(APPEND arguments ${ARG_MODULE}/${name}=${binary})
+        list(APPEND arguments ${ARG_MODULE}/${name}=${binary}=${file} ${parts})
     endforeach()
     add_custom_command(OUTPUT ${folder}/shaders.cpp ${folder}/shaders.h
         COMMAND lampyris_shader_embed ${ARG_MODULE} ${folder} ${arguments}

@@ -29,12 +29,13 @@ core::Result<void> viewScene(const ViewOptions& options) {
     view::ViewState state;
     if (!options.settings.empty()) TRY_VOID(view::readState(options.settings, state));
     const graph::Extent size = options.size ? *options.size : state.size.value_or(sizeOf(options));
+    TRY(ShaderWatch shaders, ShaderWatch::create(options.shaders));
     TRY(window::Window window,
         window::Window::create({"lampyris: " + options.scene, size.width, size.height}));
     TRY(const std::unique_ptr<FrameLoop> loop, FrameLoop::open(options, true));
     TRY(window::Presenter presenter,
         window::Presenter::create(loop->device(), window, window::Encoding::Display));
-    return view::Viewer(options, window, *loop, presenter).run();
+    return view::Viewer(options, window, *loop, presenter, shaders).run();
 }
 
 void addFileOptions(CLI::App& app, ViewOptions& o) {
@@ -49,6 +50,10 @@ void addFileOptions(CLI::App& app, ViewOptions& o) {
     app.add_option("--render-scale", o.renderScale,
                    "picture pixels a window pixel, an axis (1; on a CPU without --size, 0.25)")
         ->check(finite(view::kLeastRenderScale, 1.0));
+    app.add_option("--shaders", o.shaders,
+                   "reload shaders when their files change (those that the program was built "
+                   "from); off: do not")
+        ->type_name("FOLDER|off");
     app.add_option("--screenshots", o.screenshots, "where F12 puts them (here)")
         ->type_name("FOLDER");
 }

@@ -79,6 +79,12 @@ core::Result<std::optional<FrameStatistics>> Executor::finish() {
     return last;
 }
 
+core::Result<void> Executor::replaceShader(const graph::Shader& shader,
+                                           std::span<const uint32_t> words) {
+    TRY_VOID(device_->waitIdle());
+    return pipelines_.replace(shader, words);
+}
+
 const gpu::Image& Executor::outputImage(graph::Image image) const {
     return resources_.image(image.resource);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/image.h"
@@ -64,6 +65,11 @@ class Executor {
                                                           bool timed = true);
     /// Waits for all submitted frames; gives the last one's cost, if one was still running.
     core::Result<std::optional<FrameStatistics>> finish();
+
+    /// Those that frames so far have run.
+    [[nodiscard]] std::vector<const graph::Shader*> shaders() const { return pipelines_.shaders(); }
+    /// Between two frames: waits for all that was submitted, then as Pipelines::replace().
+    core::Result<void> replaceShader(const graph::Shader& shader, std::span<const uint32_t> words);
 
     /// The physical image of an output of the last frame, as it rests: TRANSFER_SRC for a
     /// transient. Good until the next run.

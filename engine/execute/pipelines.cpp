@@ -7,6 +7,9 @@
 namespace lampyris::execute {
 namespace {
 
+constexpr size_t kHeaderWords = 5;  // of SPIR-V
+constexpr uint32_t kMagic = 0x07230203;
+
 core::Result<void> checkWorkgroup(const gpu::Device& device, const graph::Shader& shader) {
     const VkPhysicalDeviceLimits& limits = device.limits().core;
     const auto& size = shader.workgroupSize;
@@ -30,6 +33,13 @@ std::vector<uint32_t> wordsOf(const std::vector<graph::Specialisation>& speciali
     for (const graph::Specialisation& one : specialisations)
         words.insert(words.end(), {one.id, one.value});
     return words;
+}
+
+std::vector<graph::Specialisation> specialisationsOf(const std::vector<uint32_t>& words) {
+    std::vector<graph::Specialisation> specialisations;
+    for (size_t i = 0; i + 1 < words.size(); i += 2)
+        specialisations.push_back({words[i], words[i + 1]});
+    return specialisations;
 }
 
 std::vector<uint32_t> wordsOf(const graph::RasterPipeline& pipeline) {
@@ -66,12 +76,55 @@ core::Result<Program> Pipelines::raster(const graph::RasterPipeline& pipeline,
     if (pipeline.fragment != nullptr)
         stages.push_back({pipeline.fragment, VK_SHADER_STAGE_FRAGMENT_BIT});
     TRY(const SetLayout* setLayout, layout(stages));
-    gpu::Pipeline& place =
+    Raster& place =
         raster_[{Shaders{pipeline.vertex, pipeline.fragment}, wordsOf(pipeline), formats}];
-    if (!place) {
-        TRY(place, makeRaster(pipeline, formats, *setLayout));
+    if (!place.pipeline) {
+        TRY(place.pipeline, makeRaster(pipeline, formats, *setLayout));
+        place.options = pipeline;
     }
-    return Program{place.get(), setLayout};
+    return Program{place.pipeline.get(), setLayout};
+}
+
+std::vector<const graph::Shader*> Pipelines::shaders() const {
+    std::vector<const graph::Shader*> shaders;
+    for (const auto& [shader, module] : modules_) shaders.push_back(shader);
+    return shaders;
+}
+
+core::Result<void> Pipelines::replace(const graph::Shader& shader,
+                                      std::span<const uint32_t> words) {
+    if (words.size() < kHeaderWords || words.front() != kMagic)
+        return core::error("shader {}: what shall replace it is no SPIR-V", shader.name);
+    TRY(gpu::ShaderModule fresh,
+        gpu::createShaderModule(*device_, words, std::string{shader.name}));
+    // What is made takes the module from there; so do pipelines that are asked for later.
+    std::swap(modules_[&shader], fresh);
+    auto remade = remake(shader);
+    if (!remade.ok()) {
+        std::swap(modules_[&shader], fresh);
+        return remade.error();
+    }
+    for (auto& [place, pipeline] : *remade) std::swap(*place, pipeline);
+    return {};
+}
+
+core::Result<Pipelines::Remade> Pipelines::remake(const graph::Shader& shader) {
+    Remade remade;
+    for (auto& [key, place] : compute_) {
+        const auto& [of, words] = key;
+        if (of != &shader || !place) continue;
+        TRY(gpu::Pipeline made,
+            makeCompute(shader, specialisationsOf(words), *layouts_.at({&shader, nullptr})));
+        remade.emplace_back(&place, std::move(made));
+    }
+    for (auto& [key, place] : raster_) {
+        const auto& [vertex, fragment] = std::get<Shaders>(key);
+        if ((vertex != &shader && fragment != &shader) || !place.pipeline) continue;
+        TRY(gpu::Pipeline made, makeRaster(place.options, std::get<AttachmentFormats>(key),
+                                           *layouts_.at(std::get<Shaders>(key))));
+        remade.emplace_back(&place.pipeline, std::move(made));
+    }
+    return remade;
 }
 
 core::Result<VkShaderModule> Pipelines::module(const graph::Shader& shader) {

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -40,9 +41,22 @@ class Pipelines {
     core::Result<Program> raster(const graph::RasterPipeline& pipeline,
                                  const AttachmentFormats& formats);
 
+    /// Those asked for so far.
+    [[nodiscard]] std::vector<const graph::Shader*> shaders() const;
+    /// Puts other words in a shader's place, in all pipelines that were made of it: in all, or,
+    /// where one of them cannot be made, in none. Their slots are taken for the same. The device
+    /// must be idle.
+    core::Result<void> replace(const graph::Shader& shader, std::span<const uint32_t> words);
+
  private:
     using Shaders = std::pair<const graph::Shader*, const graph::Shader*>;
     using Words = std::vector<uint32_t>;
+    struct Raster {
+        graph::RasterPipeline options;
+        gpu::Pipeline pipeline;
+    };
+    /// A pipeline's place, and what shall stand there.
+    using Remade = std::vector<std::pair<gpu::Pipeline*, gpu::Pipeline>>;
     core::Result<VkShaderModule> module(const graph::Shader& shader);
     core::Result<const SetLayout*> layout(const std::vector<StageShader>& stages);
     core::Result<gpu::Pipeline> makeCompute(
@@ -51,12 +65,13 @@ class Pipelines {
     core::Result<gpu::Pipeline> makeRaster(const graph::RasterPipeline& pipeline,
                                            const AttachmentFormats& formats,
                                            const SetLayout& layout);
+    core::Result<Remade> remake(const graph::Shader& shader);
 
     gpu::Device* device_;
     std::map<const graph::Shader*, gpu::ShaderModule> modules_;
     std::map<Shaders, std::unique_ptr<SetLayout>> layouts_;
     std::map<std::pair<const graph::Shader*, Words>, gpu::Pipeline> compute_;
-    std::map<std::tuple<Shaders, Words, AttachmentFormats>, gpu::Pipeline> raster_;
+    std::map<std::tuple<Shaders, Words, AttachmentFormats>, Raster> raster_;
 };
 
 }  // namespace lampyris::execute

@@ -34,6 +34,8 @@ struct Shader {
     std::span<const ShaderSlot> slots{};
     std::array<uint32_t, 3> workgroupSize{1, 1, 1};  ///< compute only
     uint32_t pushConstantBytes = 0;
+    std::string_view source{};  ///< its file, below the shaders' folder; empty: none is known
+    std::span<const std::string_view> definitions{};  ///< that it was compiled with: "MASKED=1"
 };
 
 }  // namespace lampyris::graph

@@ -11,6 +11,7 @@
 #include "overlay/play_bar.h"
 #include "overlay/scene_panel.h"
 #include "overlay/settings_panel.h"
+#include "overlay/shader_panel.h"
 #include "overlay/timing_panel.h"
 #include "overlay/truth_panel.h"
 
@@ -33,6 +34,7 @@ struct OpenPanels {
     bool truth = false;
     bool scene = false;
     bool settings = false;
+    bool shaders = false;
 };
 
 class Panels {
@@ -41,8 +43,10 @@ class Panels {
     static core::Result<Panels> create(gpu::Device& device, const ecs::Registry& registry);
 
     /// Draws what is open.
+    /// \param shaders  those that are followed, see shader_reload::ShaderReloader
     /// \param play  shown in the menu bar; null: none
     void draw(const FrameSeen& seen, const photons::PathSplit& paths, const Editable& edits,
+              std::span<const shader_reload::ShaderStatus> shaders = {},
               PlayControls* play = nullptr);
 
     OpenPanels open;
@@ -54,7 +58,8 @@ class Panels {
  private:
     Panels(ImageLook imageLook, TruthPanel truthPanel, const ecs::Registry& registry)
         : look(std::move(imageLook)), truth(std::move(truthPanel)), scene_(registry) {}
-    void drawMenu(const FrameSeen& seen, PlayControls* play);
+    void drawMenu(const FrameSeen& seen, std::span<const shader_reload::ShaderStatus> shaders,
+                  PlayControls* play);
 
     GraphPanel graph_;
     ScenePanel scene_;

@@ -12,7 +12,7 @@ struct PlayControls {
     bool paused = false;
     float timeScale = 1.0f;
     float renderScale = 1.0f;  ///< picture pixels a window pixel, an axis
-    bool walks = false;  ///< the camera stands on the ground; otherwise it flies
+    bool walks = false;        ///< the camera stands on the ground; otherwise it flies
     HandleKind handles = HandleKind::Move;
 
     bool step = false;  ///< wish: one frame while paused

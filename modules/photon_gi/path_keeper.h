@@ -34,6 +34,8 @@ class PathKeeper {
     /// \param newSplit draws the paths up anew
     [[nodiscard]] core::Result<PathPlan> plan(const Settings& settings, const Now& now,
                                               const std::function<photons::PathSplit()>& newSplit);
+    /// The next plan's paths are all traced anew.
+    void forget() { valid_ = false; }
     [[nodiscard]] photons::PathStoreHandles import(graph::Frame& frame) {
         return store_.import(frame);
     }

@@ -132,6 +132,11 @@ Past Renderer::recall(const shared::View& view, const Settings& settings) {
     return past;
 }
 
+void Renderer::forget() {
+    drawn_ = {};
+    keeper_.forget();
+}
+
 core::Result<DrawnFrame> Renderer::declare(graph::Frame& frame, const FrameRequest& request) {
     const shared::View view = deferred::makeView(request.camera, request.size);
     if (settled(view, request)) {

@@ -60,6 +60,9 @@ class Renderer {
     core::Result<Outcome> run(graph::Frame& frame, const DrawnFrame& drawn,
                               const std::string& outputNode, graph::CompileOptions options = {});
 
+    /// The next frame begins anew: what earlier ones left was made by other shaders.
+    void forget();
+
     [[nodiscard]] const accel::AccelOnGpu& accel() const { return accel_; }
     [[nodiscard]] const residency::SceneOnGpu& scene() const { return scene_; }
     /// How the last declared frame's paths are split over the emitters.

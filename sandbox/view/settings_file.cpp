@@ -38,7 +38,8 @@ constexpr std::array kPanels{Panel{"timing", &overlay::OpenPanels::timing},
                              Panel{"photons", &overlay::OpenPanels::light},
                              Panel{"truth", &overlay::OpenPanels::truth},
                              Panel{"scene", &overlay::OpenPanels::scene},
-                             Panel{"settings", &overlay::OpenPanels::settings}};
+                             Panel{"settings", &overlay::OpenPanels::settings},
+                             Panel{"shaders", &overlay::OpenPanels::shaders}};
 
 [[noreturn]] void refuse(const std::string& what) {
     throw std::invalid_argument(what);

@@ -11,6 +11,7 @@ struct ViewOptions : Options {
     std::filesystem::path record;       ///< --record: inputs
     std::filesystem::path replay;       ///< --replay
     std::filesystem::path screenshots;  ///< --screenshots: a folder
+    std::string shaders;                ///< --shaders: a folder, or off
     bool overlay = true;
     std::optional<float> renderScale;  ///< --render-scale: picture pixels a window pixel, an axis
 };

@@ -56,11 +56,12 @@ void overrideBy(const Options& options, photon_gi::Settings& settings) {
 }  // namespace
 
 Viewer::Viewer(const ViewOptions& options, window::Window& window, FrameLoop& loop,
-               window::Presenter& presenter)
+               window::Presenter& presenter, ShaderWatch& shaders)
     : options_(options),
       window_(window),
       loop_(loop),
       presenter_(presenter),
+      shaders_(shaders),
       defaults_(settingsOf(options)),
       lastPoll_(Clock::now()) {
     scene::registerComponents(registry_);
@@ -214,7 +215,8 @@ void Viewer::drawPanels(const Moment& moment) {
                                   overlay_->cpuMilliseconds()};
     const overlay::Editable edits{loop_.world(), selected_, loop_.request.settings, defaults_,
                                   state_.display};
-    panels_->draw(seen, loop_.renderer().paths(), edits, &play_);
+    const auto shaders = shaders_.status();
+    panels_->draw(seen, loop_.renderer().paths(), edits, shaders, &play_);
     if (!loop_.world().alive(selected_)) return;
     handles_.kind = play_.handles;
     handlesHot_ = handles_.draw(loop_.world(), selected_, loop_.request.camera, moment.size);
@@ -299,6 +301,7 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
     // What looks into the frame needs one that is drawn, not one that is shown again.
     loop_.request.finalAlone =
         !(overlay_->visible() && (panels_->marks.any() || !panels_->look.choice.name.empty()));
+    if (replayed_.empty() && !recorder_) shaders_.update(loop_);
     TRY_VOID(loop_.follow());
     TRY(LoopFrame frame,
         loop_.tryDraw(number, saves ? std::string("screenshot") : std::string{}, addNodes));

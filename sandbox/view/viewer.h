@@ -10,6 +10,7 @@
 #include "overlay/overlay.h"
 #include "overlay/panels.h"
 #include "results.h"
+#include "shader_watch.h"
 #include "view/frame_rate.h"
 #include "view/input_log.h"
 #include "view/settings_file.h"
@@ -23,7 +24,7 @@ class Viewer {
  public:
     /// All must outlive it.
     Viewer(const ViewOptions& options, window::Window& window, FrameLoop& loop,
-           window::Presenter& presenter);
+           window::Presenter& presenter, ShaderWatch& shaders);
 
     /// Until the window is closed, the replay is over or --frames are drawn.
     core::Result<void> run();
@@ -55,6 +56,7 @@ class Viewer {
     window::Window& window_;
     FrameLoop& loop_;
     window::Presenter& presenter_;
+    ShaderWatch& shaders_;
 
     ViewState state_;
     photon_gi::Settings defaults_;

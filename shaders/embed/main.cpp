@@ -1,4 +1,4 @@
-// lampyris_shader_embed MODULE OUT_FOLDER [NAME=FILE.spv]…
+// lampyris_shader_embed MODULE OUT_FOLDER [NAME=FILE.spv=SOURCE [-DDEFINITION]…]…
 // Writes OUT_FOLDER/shaders.h and .cpp: a graph::Shader for each compiled shader of a module.
 #include <cctype>
 #include <cstdio>
@@ -19,6 +19,8 @@ using core::Result;
 struct Shader {
     std::string name;        ///< "deferred/gbuffer.vert"
     std::string identifier;  ///< "gbufferVert"
+    std::string source;      ///< "deferred/gbuffer.vert", below the shaders' folder
+    std::vector<std::string> definitions;  ///< "MASKED=1"
     std::vector<uint32_t> words;
     Reflection reflection;
 };
@@ -40,12 +42,15 @@ std::string identifierOf(std::string_view name) {
 }
 
 Result<Shader> load(std::string_view argument) {
-    const size_t equals = argument.find('=');
-    if (equals == std::string_view::npos) return core::error("{}: want NAME=FILE", argument);
+    const size_t first = argument.find('=');
+    const size_t last = argument.rfind('=');
+    if (first == last) return core::error("{}: want NAME=FILE=SOURCE", argument);
     Shader shader;
-    shader.name = argument.substr(0, equals);
+    shader.name = argument.substr(0, first);
     shader.identifier = identifierOf(shader.name);
-    TRY(const auto bytes, core::readFile(std::string{argument.substr(equals + 1)}));
+    shader.source = argument.substr(last + 1);
+    TRY(const auto bytes,
+        core::readFile(std::string{argument.substr(first + 1, last - first - 1)}));
     shader.words.resize(bytes.size() / sizeof(uint32_t));
     std::memcpy(shader.words.data(), bytes.data(), shader.words.size() * sizeof(uint32_t));
     auto reflection = reflect(shader.words);
@@ -65,6 +70,12 @@ std::string headerText(const std::string& module, const std::vector<Shader>& sha
     return text + fmt::format("\n}}  // namespace lampyris::{}::shaders\n", module);
 }
 
+std::string quoted(const std::vector<std::string>& texts) {
+    std::string list;
+    for (const std::string& text : texts) list += fmt::format("\"{}\",", text);
+    return list;
+}
+
 std::string definitionText(const Shader& shader) {
     const Reflection& reflection = shader.reflection;
     std::string text = fmt::format("constexpr uint32_t {}Words[] = {{", shader.identifier);
@@ -77,13 +88,18 @@ std::string definitionText(const Shader& shader) {
                                 slot.slot, slot.kind, slot.reads, slot.writes);
         text += "};\n";
     }
+    if (!shader.definitions.empty())
+        text += fmt::format("constexpr std::string_view {}Definitions[] = {{{}}};\n",
+                            shader.identifier, quoted(shader.definitions));
     const std::string slots = reflection.slots.empty() ? "{}" : shader.identifier + "Slots";
+    const std::string definitions =
+        shader.definitions.empty() ? "{}" : shader.identifier + "Definitions";
     const auto& size = reflection.workgroupSize;
     return text + fmt::format(
                       "}}\nconst graph::Shader {0}{{\"{1}\", {0}Words, {2}, {{{3}, {4}, {5}}}, "
-                      "{6}}};\nnamespace {{\n",
+                      "{6}, \"{7}\", {8}}};\nnamespace {{\n",
                       shader.identifier, shader.name, slots, size[0], size[1], size[2],
-                      reflection.pushConstantBytes);
+                      reflection.pushConstantBytes, shader.source, definitions);
 }
 
 std::string sourceText(const std::string& module, const std::vector<Shader>& shaders) {
@@ -109,6 +125,10 @@ Result<void> run(const std::string& module, const std::filesystem::path& folder,
                  const std::vector<std::string_view>& arguments) {
     std::vector<Shader> shaders;
     for (const std::string_view argument : arguments) {
+        if (argument.starts_with("-D") && !shaders.empty()) {
+            shaders.back().definitions.emplace_back(argument.substr(2));
+            continue;
+        }
         TRY(Shader shader, load(argument));
         shaders.push_back(std::move(shader));
     }
@@ -121,7 +141,8 @@ Result<void> run(const std::string& module, const std::filesystem::path& folder,
 
 int main(int count, char** arguments) {
     if (count < 3) {
-        std::fputs("usage: lampyris_shader_embed MODULE OUT_FOLDER [NAME=FILE.spv]…\n", stderr);
+        std::fputs("usage: lampyris_shader_embed MODULE OUT_FOLDER [NAME=FILE.spv=SOURCE [-DDEFINITION]…]…\n",
+                   stderr);
         return 2;
     }
     const auto done =

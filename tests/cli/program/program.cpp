@@ -84,6 +84,10 @@ std::string Process::outputSoFar() const {
     return textOf(out_);
 }
 
+std::string Process::errorsSoFar() const {
+    return textOf(err_);
+}
+
 bool Process::endsWithin(int seconds) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
     while (running() && std::chrono::steady_clock::now() < end)

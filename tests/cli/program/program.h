@@ -35,6 +35,7 @@ class Process {
     [[nodiscard]] bool running();
     /// Of standard output.
     [[nodiscard]] std::string outputSoFar() const;
+    [[nodiscard]] std::string errorsSoFar() const;
     /// Waits for its end; a failure of the test, and the end of the process, after so many seconds.
     Ran wait(int seconds);
 

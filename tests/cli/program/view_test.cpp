@@ -1,4 +1,7 @@
 // `lampyris view` on a display of its own: it shows frames, and ends with 0 when the user ends it.
+#include <algorithm>
+#include <fstream>
+
 #include "cli/program/view_fixture.h"
 
 namespace lampyris::test {
@@ -63,6 +66,39 @@ TEST_F(View, MarksAFrameThatOverflowedAndDrawsTheNextOneRight) {
     const auto report = jsonOf(folder / "a.json");
     EXPECT_TRUE(report["valid"].get<bool>());
     EXPECT_EQ(report["frames"], 2) << "the one that overflowed is no measurement";
+}
+
+TEST_F(View, ReloadsShadersAndSaysWhatIsBroken) {
+    const ScratchFolder folder;
+    std::filesystem::copy(LAMPYRIS_SOURCE_DIR "/shaders", folder / "shaders",
+                          std::filesystem::copy_options::recursive);
+    const auto view = startView({"--size", "64x36", "--shaders", folder / "shaders"});
+    ASSERT_TRUE(showsFrames(*view));
+    const std::string text = textOf(folder / "shaders/photon_gi/composite.comp");
+    const auto write = [&](const std::string& more) {
+        std::ofstream(folder / "shaders/photon_gi/composite.comp") << text << more;
+    };
+    const auto says = [&](const std::string& what) {
+        return eventually([&] { return view->errorsSoFar().find(what) != std::string::npos; });
+    };
+    const auto line = std::count(text.begin(), text.end(), '\n') + 1;
+    write("int broken = ;\n");
+    EXPECT_TRUE(says("photon_gi/composite.comp stays as it was: photon_gi/composite.comp:" +
+                     std::to_string(line) + ": "));
+    EXPECT_TRUE(view->running());
+    write("// mended\n");
+    EXPECT_TRUE(says("photon_gi/composite.comp reloaded in "));
+    ask({"search", "--name", "lampyris", "windowfocus", "--sync", "key", "Escape"});
+    EXPECT_EQ(view->wait(kViewSeconds).code, 0);
+}
+
+TEST_F(View, TakesShadersThatAreNotWatched) {
+    const auto view = startView({"--size", "64x36", "--frames", "2", "--shaders", "off"});
+    expectQuietEnd(*view);
+}
+
+TEST(ViewWithoutADisplay, NamesAFolderOfShadersThatIsNotThere) {
+    expectFailure(lampyris({"view", "cornell", "--shaders", "no/such/folder"}), "no/such/folder");
 }
 
 TEST(ViewWithoutADisplay, SaysSo) {

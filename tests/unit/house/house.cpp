@@ -33,6 +33,7 @@ const std::vector<Library>& libraries() {
         {"Dear ImGui", {"imgui", "misc/cpp/imgui", "implot"}, {"overlay"}},
         {"CLI11", {"CLI/"}, {"sandbox"}},
         {"SPIRV-Cross", {"spirv_cross"}, {"embed"}},
+        {"glslang", {"glslang/"}, {"shader_reload"}},
     };
     return list;
 }
@@ -105,6 +106,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
         {"gpu", {"core"}},
         {"execute", {"graph", "gpu"}},
         {"window", {"core", "gpu"}},
+        {"shader_reload", {"execute", "embed"}},
         // modules/
         {"residency", {"scene", "graph", "gpu", "execute"}},
         {"accel", {"residency", "scene", "graph"}},
@@ -114,7 +116,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
         {"reference", {"scene", "core"}},
         {"evaluation", {"core"}},
         {"overlay", {"modules", "window", "execute", "gpu", "ecs"}},
-        // shaders/: shared/ is open to all; embed/ is the build-time tool
+        // shaders/: shared/ is open to all; embed/ is the build-time tool, and its reflection
         {"shared", {"math"}},
         {"lib", {}},
         {"embed", {"core"}},

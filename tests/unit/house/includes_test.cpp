@@ -117,6 +117,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Planted{"engine/scene/a.cpp", "<tiny_gltf.h>", false},
                     Planted{"engine/gpu/a.cpp", "<GLFW/glfw3.h>", false},
                     Planted{"engine/gpu/a.cpp", "<spirv_cross/spirv_cross_c.h>", false},
+                    Planted{"engine/execute/a.cpp", "<glslang/Public/ShaderLang.h>", false},
+                    Planted{"modules/photon_gi/a.cpp", "\"shader_reload/compile_shader.h\"", false},
                     Planted{"engine/core/a.cpp", "<boost/any.hpp>", false},
                     Planted{"engine/core/a.cpp", "<volk.h>", false},
                     Planted{"engine/core/a.cpp", "\"utils/helpers.h\"", false},
