@@ -60,6 +60,11 @@ Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {
 
 Window::Window(Window&&) noexcept = default;
 
+Window& Window::operator=(Window&& other) noexcept {
+    std::swap(state_, other.state_);
+    return *this;
+}
+
 Window::~Window() {
     if (state_ == nullptr) return;
     watchX11Errors();

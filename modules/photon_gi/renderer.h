@@ -53,12 +53,17 @@ class Renderer {
         execute::FrameStatistics statistics;
         graph::CompiledGraph graph;
         FrameReport report;
-        core::Image image;  ///< what `outputNode` named; empty where it was empty
+        core::Image image;      ///< what `outputNode` named; empty where it was empty
+        graph::Image radiance;  ///< the picture on the device, for Executor::outputImage
     };
     /// Compiles and runs a declared frame and reads its report back; grows the room where it was
     /// too small.
     core::Result<Outcome> run(graph::Frame& frame, const DrawnFrame& drawn,
                               const std::string& outputNode, graph::CompileOptions options = {});
+
+    /// update(), declare() and run() for a program that adds no nodes of its own.
+    core::Result<Outcome> draw(const scene::SceneSnapshot& snapshot, const FrameRequest& request,
+                               const std::string& outputNode = {});
 
     [[nodiscard]] const accel::AccelOnGpu& accel() const { return accel_; }
     [[nodiscard]] const residency::SceneOnGpu& scene() const { return scene_; }
