@@ -18,9 +18,9 @@ namespace lampyris::photon_gi {
 
 struct FrameRequest {
     graph::Extent size{1280, 720};
-    Settings settings;
+    Settings settings{};
     uint64_t frameNumber = 0;
-    scene::SnapshotCamera camera;
+    scene::SnapshotCamera camera{};
     /// No published image but "final" will be asked for: frames may then be shown again whole.
     bool finalAlone = false;
 };

@@ -21,7 +21,7 @@ ecs::World makeWorld() {
     scene::spawnMesh(world, scene::builtin::boxMesh({4, 0.1f, 4}), {}, {{0, -0.1f, 0}});
     scene::spawnMesh(world, scene::builtin::boxMesh({4, 2, 0.1f}), red, {{0, 2, -4}});
     scene::spawnMesh(world, scene::builtin::boxMesh({0.5f, 0.8f, 0.5f}), {}, {{0, 0.8f, 0}});
-    scene::spawnLight(world, "lamp", {}, {.radiusMetres = 0.1f, .powerWatts = glm::vec3(400)});
+    scene::spawnLight(world, "lamp", {}, {.radiusMetres = 0.1f, .powerWatts = glm::vec3(200)});
     scene::spawnCamera(world, "camera", {0, 4, 9}, {0, 1, 0});
     world.resource<scene::Motion>().systems.add("circle", circle);
     return world;

@@ -2,11 +2,13 @@
 #include "core/image_io.h"
 #include "core/log.h"
 #include "gpu/vulkan_result.h"
+#include "gpu/vulkan_struct.h"
 #include "photon_gi/renderer.h"
 #include "scene/live_snapshot.h"
 #include "scene/load.h"
 
 using namespace lampyris;
+using gpu::vulkanStruct;
 
 // What a game has of Vulkan: here the first device, and its first queue.
 struct Game {
@@ -25,9 +27,9 @@ struct Game {
 
 // Makes the game's device with what the engine needs, and lends it.
 core::Result<std::unique_ptr<gpu::Device>> lendDevice(Game& game) {
-    VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO};
+    auto application = vulkanStruct<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
     application.apiVersion = VK_API_VERSION_1_3;
-    VkInstanceCreateInfo instanceInfo{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+    auto instanceInfo = vulkanStruct<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
     instanceInfo.pApplicationInfo = &application;
     VK_TRY(vkCreateInstance(&instanceInfo, nullptr, &game.instance));
     uint32_t count = 1;
@@ -35,13 +37,14 @@ core::Result<std::unique_ptr<gpu::Device>> lendDevice(Game& game) {
     if (listed != VK_INCOMPLETE) VK_TRY(listed);
 
     const float priority = 1.0f;
-    VkDeviceQueueCreateInfo queueInfo{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    auto queueInfo =
+        vulkanStruct<VkDeviceQueueCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO);
     queueInfo.queueCount = 1;
     queueInfo.pQueuePriorities = &priority;
     gpu::FeatureChain features;                    // a game turns on what it wants itself,
     gpu::chooseFeatures(game.physical, features);  // and this adds the rest
-    VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
-    info.pNext = &features.core;
+    auto info =
+        vulkanStruct<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features.core);
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queueInfo;
     VK_TRY(vkCreateDevice(game.physical, &info, nullptr, &game.device));

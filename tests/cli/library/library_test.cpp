@@ -87,7 +87,7 @@ TEST_F(Library, IsFoundByCMakeAndDrawsForAGame) {
              "-DCMAKE_PREFIX_PATH=" + prefix_.string(), "-DCMAKE_CXX_COMPILER=" LAMPYRIS_CXX,
              "-DCMAKE_CXX_FLAGS=" + flags.str()});
     succeed({LAMPYRIS_CMAKE, "--build", game_ / "build"});
-    expectLitAndMoving("minimal", 12);
+    expectLitAndMoving("minimal", 8);
     expectLitAndMoving("own_storage", 8);
 
     // On the game's own device the picture is the program's.
@@ -96,6 +96,10 @@ TEST_F(Library, IsFoundByCMakeAndDrawsForAGame) {
     succeed({game_ / "build/own_device", own});
     succeed({prefix_ / "bin/lampyris", "render", "cornell", "-o", ours, "--exposure", "-1"});
     EXPECT_EQ(difference(pictureOf(own), pictureOf(ours)), 0.0);
+}
+
+TEST(Minimal, IsNotLongerThanPromised) {
+    EXPECT_LE(std::ranges::count(textOf(kMinimal + "/main.cpp"), '\n'), 60);
 }
 
 TEST_F(Library, SaysWhichFolderIsNotThere) {
