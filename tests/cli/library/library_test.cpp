@@ -14,16 +14,17 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string kMinimal = LAMPYRIS_SOURCE_DIR "/sandbox/minimal";
+const std::string kCompilerOption = "-DCMAKE_CXX_COMPILER=" + std::string(LAMPYRIS_CXX);
+constexpr std::string_view kSanitize = LAMPYRIS_SANITIZE;  // NOLINT: may be empty
 
 std::vector<std::string> compilerFlags() {
     std::vector<std::string> flags{"-Wall", "-Wextra", "-Wpedantic", "-Werror"};
-    const std::string sanitize = LAMPYRIS_SANITIZE;
-    if (!sanitize.empty()) flags.push_back("-fsanitize=" + sanitize);
+    if (!kSanitize.empty()) flags.push_back("-fsanitize=" + std::string(kSanitize));
     return flags;
 }
 
-void succeed(const Arguments& command, const std::vector<std::string>& variables = {}) {
-    const Ran ran = run(command, variables);
+void succeed(const Arguments& command) {
+    const Ran ran = run(command);
     ASSERT_EQ(ran.code, 0) << testing::PrintToString(command) << "\n" << ran.out << ran.err;
 }
 
@@ -74,6 +75,19 @@ class Library : public testing::Test {
         EXPECT_GT(difference(before, after), 0.5) << example << " stands still";
     }
 
+    /// Of one file, without CMake.
+    [[nodiscard]] Arguments compilation(const std::string& source, const Arguments& more) const {
+        const std::string path = "PKG_CONFIG_PATH=" + (prefix_ / "lib/pkgconfig").string();
+        const Ran found = run({"pkg-config", "--cflags", "--libs", "--static", "lampyris"}, {path});
+        EXPECT_EQ(found.code, 0) << found.err;
+        Arguments command{LAMPYRIS_CXX, "-std=c++20", source};
+        command.insert(command.end(), more.begin(), more.end());
+        for (const std::string& flag : compilerFlags()) command.push_back(flag);
+        std::istringstream words(found.out);
+        for (std::string word; words >> word;) command.push_back(word);
+        return command;
+    }
+
     ScratchFolder scratch_;
     fs::path prefix_ = scratch_ / "prefix";
     fs::path game_ = scratch_ / "game";
@@ -84,7 +98,7 @@ TEST_F(Library, IsFoundByCMakeAndDrawsForAGame) {
     std::ostringstream flags;
     for (const std::string& flag : compilerFlags()) flags << flag << " ";
     succeed({LAMPYRIS_CMAKE, "-G", "Ninja", "-S", game_, "-B", game_ / "build",
-             "-DCMAKE_PREFIX_PATH=" + prefix_.string(), "-DCMAKE_CXX_COMPILER=" LAMPYRIS_CXX,
+             "-DCMAKE_PREFIX_PATH=" + prefix_.string(), kCompilerOption,
              "-DCMAKE_CXX_FLAGS=" + flags.str()});
     succeed({LAMPYRIS_CMAKE, "--build", game_ / "build"});
     expectLitAndMoving("minimal", 8);
@@ -107,25 +121,27 @@ TEST_F(Library, SaysWhichFolderIsNotThere) {
     std::ofstream(game_ / "CMakeLists.txt")
         << "cmake_minimum_required(VERSION 3.25)\nproject(game LANGUAGES CXX)\n"
         << "find_package(lampyris 0.1 CONFIG REQUIRED COMPONENTS ecs no_such_folder)\n";
-    const Ran ran =
-        run({LAMPYRIS_CMAKE, "-G", "Ninja", "-S", game_, "-B", game_ / "build",
-             "-DCMAKE_PREFIX_PATH=" + prefix_.string(), "-DCMAKE_CXX_COMPILER=" LAMPYRIS_CXX});
+    const Ran ran = run({LAMPYRIS_CMAKE, "-G", "Ninja", "-S", game_, "-B", game_ / "build",
+                         "-DCMAKE_PREFIX_PATH=" + prefix_.string(), kCompilerOption});
     EXPECT_NE(ran.code, 0);
     EXPECT_NE(ran.err.find("no_such_folder"), std::string::npos) << ran.err;
 }
 
 TEST_F(Library, IsFoundByPkgConfig) {
-    const std::string path = "PKG_CONFIG_PATH=" + (prefix_ / "lib/pkgconfig").string();
-    const Ran found = run({"pkg-config", "--cflags", "--libs", "--static", "lampyris"}, {path});
-    ASSERT_EQ(found.code, 0) << found.err;
-    Arguments compile{LAMPYRIS_CXX, "-std=c++20", kMinimal + "/main.cpp", "-o", scratch_ / "game"};
-    for (const std::string& flag : compilerFlags()) compile.push_back(flag);
-    std::istringstream words(found.out);
-    for (std::string word; words >> word;) compile.push_back(word);
-    succeed(compile);
+    succeed(compilation(kMinimal + "/main.cpp", {"-o", scratch_ / "game"}));
     const fs::path picture = scratch_ / "picture.png";
     succeed({scratch_ / "game", picture, "1"});
     EXPECT_GT(litShare(pictureOf(picture)), 0.2);
+}
+
+TEST_F(Library, HasEveryHeaderThatItsHeadersInclude) {
+    const fs::path headers = prefix_ / "include/lampyris";
+    std::ofstream all(scratch_ / "all.cpp");
+    for (const auto& entry : fs::recursive_directory_iterator(headers))
+        if (entry.is_regular_file() && entry.path().filename() != "world_inline.h")
+            all << "#include \"" << entry.path().lexically_relative(headers).string() << "\"\n";
+    all.close();
+    succeed(compilation(scratch_ / "all.cpp", {"-fsyntax-only"}));
 }
 
 }  // namespace
