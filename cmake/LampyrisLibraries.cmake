@@ -1,7 +1,11 @@
 # Outside libraries that come without a CMake package of their own, as targets lampyris::NAME; read by our
 # build and by the installed package alike. LAMPYRIS_MISSING names those that are not there.
 set(LAMPYRIS_MISSING)
-foreach(name stb tinyexr)
+set(libraries stb tinyexr)
+if(LAMPYRIS_VULKAN)
+    list(APPEND libraries imgui)
+endif()
+foreach(name ${libraries})
     find_library(LAMPYRIS_${name} NAMES lib${name}.a ${name})
     mark_as_advanced(LAMPYRIS_${name})
     if(NOT LAMPYRIS_${name})

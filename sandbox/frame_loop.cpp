@@ -79,18 +79,23 @@ core::Result<void> FrameLoop::follow() {
     return renderer_->update(snapshot_.follow(world_, seconds));
 }
 
-core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, bool readBack,
+core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, const std::string& readBack,
                                            const AddNodes& addNodes) {
     LoopFrame frame;
     request.frameNumber = frameNumber;
     TRY(const photon_gi::DrawnFrame drawn, renderer_->declare(frame.declared, request));
     frame.declared.output(drawn.radiance);
-    if (addNodes) addNodes(frame.declared, drawn.radiance);
+    if (addNodes) addNodes(frame.declared, drawn);
     if (!frame.declared.published(outputNode_).valid())
         return core::error("--output-node {}: there is no such image; there are {}", outputNode_,
                            fmt::join(frame.declared.publishedNames(), ", "));
-    TRY(frame.outcome,
-        renderer_->run(frame.declared, drawn, readBack ? outputNode_ : std::string{}));
+    TRY(frame.outcome, renderer_->run(frame.declared, drawn, readBack));
+    const accel::AccelCounts counts = renderer_->accel().counts();
+    frame.rebuilds = counts.rebuilds;
+    frame.rebuildMilliseconds = counts.rebuildMilliseconds;
+    frame.refits = counts.refits;
+    frame.refitMilliseconds = refitMilliseconds(counts, frame.outcome.statistics);
+    frame.sahRatioMax = counts.sahRatioMax;
     core::releaseLog();
     return frame;
 }
@@ -101,11 +106,10 @@ core::Result<LoopFrame> FrameLoop::draw(uint64_t frameNumber, bool readBack) {
     TRY_VOID(follow());
     const std::chrono::duration<double, std::milli> update =
         std::chrono::steady_clock::now() - begin;
-    const accel::AccelCounts counts = renderer_->accel().counts();
     shared::FrameCounters last{};
     Dropped dropped;
     for (uint32_t i = 0; i < kMostTries; ++i) {
-        TRY(LoopFrame frame, tryDraw(frameNumber, readBack));
+        TRY(LoopFrame frame, tryDraw(frameNumber, readBack ? outputNode_ : std::string{}));
         last = frame.outcome.report.counters;
         if (!frame.outcome.report.valid) {
             dropped.add(last);
@@ -114,11 +118,6 @@ core::Result<LoopFrame> FrameLoop::draw(uint64_t frameNumber, bool readBack) {
         frame.updateMilliseconds = update.count();
         frame.repeats = i;
         frame.dropped = dropped;
-        frame.rebuilds = counts.rebuilds;
-        frame.rebuildMilliseconds = counts.rebuildMilliseconds;
-        frame.refits = counts.refits;
-        frame.refitMilliseconds = refitMilliseconds(counts, frame.outcome.statistics);
-        frame.sahRatioMax = renderer_->accel().counts().sahRatioMax;
         return frame;
     }
     return overflow(last);

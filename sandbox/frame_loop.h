@@ -37,7 +37,7 @@ struct LoopFrame {
 
 class FrameLoop {
  public:
-    using AddNodes = std::function<void(graph::Frame&, graph::Image)>;
+    using AddNodes = std::function<void(graph::Frame&, const photon_gi::DrawnFrame&)>;
 
     /// Errors name the device, scene or camera that is missing.
     static core::Result<std::unique_ptr<FrameLoop>> open(const Options& options,
@@ -48,8 +48,9 @@ class FrameLoop {
     /// --output-node names.
     core::Result<LoopFrame> draw(uint64_t frameNumber, bool readBack = false);
     /// One try of draw(): `outcome.report.valid` tells whether it is whole.
-    /// `addNodes` may add to the frame; it is given the finished radiance.
-    core::Result<LoopFrame> tryDraw(uint64_t frameNumber, bool readBack = false,
+    /// \param readBack  a published image to be read back; empty: none
+    /// \param addNodes  may add to the frame that was drawn
+    core::Result<LoopFrame> tryDraw(uint64_t frameNumber, const std::string& readBack = {},
                                     const AddNodes& addNodes = {});
     /// Brings the world to `seconds`, and what changed in it to the renderer. draw() does so
     /// itself.
@@ -64,7 +65,7 @@ class FrameLoop {
     [[nodiscard]] execute::Executor& executor() { return *executor_; }
     [[nodiscard]] photon_gi::Renderer& renderer() { return *renderer_; }
     [[nodiscard]] ecs::World& world() { return world_; }
-    /// As of the last frame.
+    /// As of the last follow().
     [[nodiscard]] const scene::SceneSnapshot& snapshot() const { return snapshot_.get(); }
 
  private:

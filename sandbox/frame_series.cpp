@@ -16,10 +16,6 @@ bool matches(const std::string& name, const std::string& pattern) {
 
 }  // namespace
 
-std::string reportedName(const std::string& nodeName) {
-    return nodeName.substr(0, nodeName.find('/'));
-}
-
 FrameSeries::Node& FrameSeries::nodeNamed(const std::string& name) {
     const auto found =
         std::find_if(nodes_.begin(), nodes_.end(), [&](const Node& n) { return n.name == name; });
@@ -29,18 +25,18 @@ FrameSeries::Node& FrameSeries::nodeNamed(const std::string& name) {
 }
 
 void FrameSeries::list(const execute::FrameStatistics& frame) {
-    for (const execute::NodeTime& time : frame.nodes) nodeNamed(reportedName(time.name));
+    for (const execute::NodeTime& time : frame.nodes) nodeNamed(execute::reportedName(time.name));
 }
 
 void FrameSeries::add(const execute::FrameStatistics& frame) {
     frameMilliseconds_.push_back(frame.gpuMilliseconds);
-    for (const execute::NodeTime& time : frame.nodes) nodeNamed(reportedName(time.name));
+    for (const execute::NodeTime& time : frame.nodes) nodeNamed(execute::reportedName(time.name));
     for (Node& node : nodes_) {
         node.gpu.resize(frames(), 0.0);
         node.cpu.resize(frames(), 0.0);
     }
     for (const execute::NodeTime& time : frame.nodes) {
-        Node& node = nodeNamed(reportedName(time.name));
+        Node& node = nodeNamed(execute::reportedName(time.name));
         node.gpu.back() += time.gpuMilliseconds;
         node.cpu.back() += time.cpuRecordMilliseconds;
     }

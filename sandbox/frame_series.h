@@ -10,10 +10,6 @@
 
 namespace lampyris::sandbox {
 
-/// A node's name as reports have it: what stands before the first '/' ("tile_bin/count" is a part
-/// of "tile_bin").
-[[nodiscard]] std::string reportedName(const std::string& nodeName);
-
 struct NodeSummary {
     std::string name;
     Statistics gpuMilliseconds;

@@ -35,7 +35,7 @@ core::Result<void> render(const RenderOptions& o) {
     const uint32_t warmup = o.warmup.value_or(0);
     const uint32_t total = warmup + o.frames.value_or(1);
     Measured measured;
-    Trace trace;
+    execute::ChromeTrace trace;
     {
         Progress progress{"frame", total};
         for (uint32_t i = 0; i < total; ++i) {

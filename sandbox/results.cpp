@@ -7,7 +7,7 @@
 namespace lampyris::sandbox {
 
 core::Result<void> writeResults(const Options& o, FrameLoop& loop, const Measured& measured,
-                                const Trace& trace) {
+                                const execute::ChromeTrace& trace) {
     if (!o.report.empty()) TRY_VOID(core::writeFile(o.report, makeReport(o, loop, measured)));
     if (!o.trace.empty()) TRY_VOID(core::writeFile(o.trace, trace.text()));
     if (!o.graph.empty()) {

@@ -34,7 +34,8 @@ std::vector<uint32_t> wordsOf(const std::vector<graph::Specialisation>& speciali
 
 std::vector<uint32_t> wordsOf(const graph::RasterPipeline& pipeline) {
     std::vector<uint32_t> words{pipeline.depthTest ? 1u : 0u, pipeline.depthWrite ? 1u : 0u,
-                                pipeline.depthEqual ? 1u : 0u, pipeline.lines ? 1u : 0u};
+                                pipeline.depthEqual ? 1u : 0u, pipeline.lines ? 1u : 0u,
+                                pipeline.blend ? 1u : 0u};
     for (const graph::VertexAttribute& attribute : pipeline.attributes)
         words.insert(words.end(), {attribute.location, attribute.stream, attribute.components,
                                    attribute.strideBytes});
@@ -133,6 +134,7 @@ core::Result<gpu::Pipeline> Pipelines::makeRaster(const graph::RasterPipeline& p
     options.depthWrite = pipeline.depthWrite;
     options.depthEqual = pipeline.depthEqual;
     options.lines = pipeline.lines;
+    options.blend = pipeline.blend;
     options.name = std::string{pipeline.vertex->name};
     return gpu::createRasterPipeline(*device_, options);
 }

@@ -104,6 +104,7 @@ class Drawer final : public graph::RasterCommands {
         TRY_VOID(push(draw));
         TRY_VOID(bindStreams(draw));
         const VkCommandBuffer commands = recording_.commands;
+        setScissor(draw);
         if (!draw.indices.valid()) {
             vkCmdDraw(commands, draw.count, draw.instances, 0, 0);
             return {};
@@ -128,6 +129,15 @@ class Drawer final : public graph::RasterCommands {
         layout_ = program.layout;
         boundState_ = &pipeline;
         return {};
+    }
+
+    void setScissor(const graph::Draw& draw) {
+        const graph::Extent& all = node_.renderExtent;
+        const graph::Rectangle cut =
+            draw.scissor.value_or(graph::Rectangle{0, 0, all.width, all.height});
+        const VkRect2D area{{static_cast<int32_t>(cut.x), static_cast<int32_t>(cut.y)},
+                            {cut.width, cut.height}};
+        vkCmdSetScissor(recording_.commands, 0, 1, &area);
     }
 
     core::Result<void> push(const graph::Draw& draw) {

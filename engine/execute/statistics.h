@@ -7,6 +7,12 @@
 
 namespace lampyris::execute {
 
+/// A node's name as reports have it: what stands before the first '/' ("tile_bin/count" is a part
+/// of "tile_bin").
+[[nodiscard]] inline std::string reportedName(const std::string& nodeName) {
+    return nodeName.substr(0, nodeName.find('/'));
+}
+
 struct NodeTime {
     std::string name;
     double gpuMilliseconds = 0.0;  ///< 0 where the frame was not timed

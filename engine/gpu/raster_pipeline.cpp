@@ -67,6 +67,13 @@ struct FixedFunction {
         VkPipelineColorBlendAttachmentState writeAll{};
         writeAll.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                                   VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+        if (options.blend) {
+            writeAll.blendEnable = VK_TRUE;
+            writeAll.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+            writeAll.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+            writeAll.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+            writeAll.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+        }
         blends.assign(options.colours.size(), writeAll);
         blend.attachmentCount = static_cast<uint32_t>(blends.size());
         blend.pAttachments = blends.data();

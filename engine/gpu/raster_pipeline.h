@@ -12,7 +12,7 @@
 
 namespace lampyris::gpu {
 
-/// Viewport and scissor are dynamic; no blending; front faces are counter-clockwise in a viewport
+/// Viewport and scissor are dynamic; front faces are counter-clockwise in a viewport
 /// whose y points down.
 struct RasterPipelineOptions {
     VkShaderModule vertex = VK_NULL_HANDLE;
@@ -26,6 +26,7 @@ struct RasterPipelineOptions {
     bool depthWrite = true;
     bool depthEqual = false;  ///< only equal passes
     bool lines = false;
+    bool blend = false;  ///< colour over what is there, by the fragment's alpha
     std::string name{};
 };
 

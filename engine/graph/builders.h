@@ -93,6 +93,8 @@ class RasterNode : public NodeBuilder {
     RasterNode& texels(uint32_t slot, Buffer buffer, Format format);
     RasterNode& sample(uint32_t slot, Image image, Filtering filtering = Filtering::Nearest,
                        Addressing addressing = Addressing::Clamp);
+    /// Readonly storage buffer with data of this frame: uniformData without its size limit.
+    RasterNode& storageData(uint32_t slot, const void* data, size_t bytes);
     template <typename T>
     RasterNode& uniformData(uint32_t slot, const T& value) {
         static_assert(std::is_trivially_copyable_v<T>);

@@ -59,6 +59,14 @@ struct RasterPipeline {
     bool depthWrite = true;
     bool depthEqual = false;  ///< what is tested passes only where it is equal
     bool lines = false;
+    bool blend =
+        false;  ///< over what is there, by the fragment's alpha; its colour is not multiplied
+};
+
+/// Pixels from the top left.
+struct Rectangle {
+    uint32_t x = 0, y = 0;
+    uint32_t width = 0, height = 0;
 };
 
 /// One draw. Buffers must have been declared by the node. Not indexed where `indices` is invalid.
@@ -70,6 +78,7 @@ struct Draw {
     uint64_t indexOffsetBytes = 0;
     uint32_t count = 0;  ///< indices or vertices
     uint32_t instances = 1;
+    std::optional<Rectangle> scissor{};  ///< within the node's extent; all of it where left out
     std::array<uint8_t, 128> push{};
     uint32_t pushBytes = 0;
 

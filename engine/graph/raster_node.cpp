@@ -71,6 +71,12 @@ void RasterNode::record(std::vector<const Shader*> shaders,
     node().record = std::move(callback);
 }
 
+RasterNode& RasterNode::storageData(uint32_t slot, const void* data, size_t bytes) {
+    const auto* first = static_cast<const uint8_t*>(data);
+    node().uniforms.push_back({slot, {first, first + bytes}, true});
+    return *this;
+}
+
 RasterNode& RasterNode::uniformBytes(uint32_t slot, const void* data, size_t bytes) {
     const auto* first = static_cast<const uint8_t*>(data);
     node().uniforms.push_back({slot, {first, first + bytes}, false});

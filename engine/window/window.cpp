@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <optional>
 #include <utility>
 
 #include "gpu/vulkan_result.h"
@@ -23,6 +24,28 @@ std::string glfwMessage() {
     return description == nullptr ? "no reason given" : description;
 }
 
+/// In screen coordinates.
+struct Place {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// The one that the middle of a window of that place lies on; the first where it lies on none.
+GLFWmonitor* monitorUnder(const Place& place) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    const int x = place.x + place.width / 2;
+    const int y = place.y + place.height / 2;
+    for (int i = 0; i < count; ++i) {
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        Place at;
+        glfwGetMonitorPos(monitors[i], &at.x, &at.y);
+        if (mode != nullptr && x >= at.x && x < at.x + mode->width && y >= at.y &&
+            y < at.y + mode->height)
+            return monitors[i];
+    }
+    return count > 0 ? monitors[0] : nullptr;
+}
+
 }  // namespace
 
 /// GLFW's callbacks write here; its address stays when the Window moves.
@@ -30,6 +53,7 @@ struct Window::State {
     GLFWwindow* window = nullptr;
     Input input;
     bool closeRequested = false;
+    std::optional<Place> beforeFullScreen;
 };
 
 core::Result<Window> Window::create(const WindowOptions& options) {
@@ -58,6 +82,14 @@ Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {
         if (action == GLFW_PRESS) state.input.pressed[static_cast<size_t>(key)] = true;
         if (key == kKeyEscape && action == GLFW_PRESS) state.closeRequested = true;
     });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* from, int button, int action, int) {
+        auto& input = static_cast<State*>(glfwGetWindowUserPointer(from))->input;
+        if (action == GLFW_PRESS && static_cast<size_t>(button) < input.clicked.size())
+            input.clicked[static_cast<size_t>(button)] = true;
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* from, unsigned character) {
+        static_cast<State*>(glfwGetWindowUserPointer(from))->input.typed += char32_t{character};
+    });
     glfwSetScrollCallback(window, [](GLFWwindow* from, double, double lines) {
         static_cast<State*>(glfwGetWindowUserPointer(from))->input.scrolled += lines;
     });
@@ -83,6 +115,8 @@ Window::~Window() {
 void Window::poll() {
     Input& input = state_->input;
     input.pressed.fill(false);
+    input.clicked.fill(false);
+    input.typed.clear();
     input.scrolled = 0.0;
     watchX11Errors();
     glfwPollEvents();
@@ -113,6 +147,13 @@ void Window::requestClose() {
     state_->closeRequested = true;
 }
 
+VkExtent2D Window::size() const {
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(state_->window, &width, &height);
+    return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
+}
+
 VkExtent2D Window::framebufferSize() const {
     int width = 0;
     int height = 0;
@@ -127,6 +168,38 @@ void Window::resize(uint32_t width, uint32_t height) {
 
 void Window::setTitle(const std::string& title) {
     glfwSetWindowTitle(state_->window, title.c_str());
+}
+
+void Window::setFullScreen(bool on) {
+    if (on == fullScreen()) return;
+    if (!on) {
+        const Place place = *std::exchange(state_->beforeFullScreen, std::nullopt);
+        glfwSetWindowMonitor(state_->window, nullptr, place.x, place.y, place.width, place.height,
+                             GLFW_DONT_CARE);
+        return;
+    }
+    Place place;
+    glfwGetWindowPos(state_->window, &place.x, &place.y);
+    glfwGetWindowSize(state_->window, &place.width, &place.height);
+    GLFWmonitor* const monitor = monitorUnder(place);
+    const GLFWvidmode* const mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    if (mode == nullptr) return;  // no monitor is left
+    state_->beforeFullScreen = place;
+    glfwSetWindowMonitor(state_->window, monitor, 0, 0, mode->width, mode->height,
+                         mode->refreshRate);
+}
+
+bool Window::fullScreen() const {
+    return state_->beforeFullScreen.has_value();
+}
+
+void Window::setClipboard(const std::string& text) {
+    glfwSetClipboardString(state_->window, text.c_str());
+}
+
+std::string Window::clipboard() const {
+    const char* text = glfwGetClipboardString(state_->window);
+    return text == nullptr ? std::string{} : text;
 }
 
 core::Result<VkSurfaceKHR> Window::createSurface(VkInstance instance) const {

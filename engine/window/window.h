@@ -22,20 +22,47 @@ struct WindowOptions {
 
 /// Keys by GLFW's numbers, which are ASCII for letters and digits.
 constexpr int kKeyEscape = 256;
+constexpr int kKeyEnter = 257;
+constexpr int kKeyTab = 258;
+constexpr int kKeyBackspace = 259;
+constexpr int kKeyInsert = 260;
+constexpr int kKeyDelete = 261;
 constexpr int kKeyRight = 262;
 constexpr int kKeyLeft = 263;
 constexpr int kKeyDown = 264;
 constexpr int kKeyUp = 265;
+constexpr int kKeyPageUp = 266;
+constexpr int kKeyPageDown = 267;
+constexpr int kKeyHome = 268;
+constexpr int kKeyEnd = 269;
+constexpr int kKeyF1 = 290;  ///< up to F12 in order
+constexpr int kKeyKeypadEnter = 335;
+constexpr int kKeyLeftShift = 340;
+constexpr int kKeyLeftControl = 341;
+constexpr int kKeyLeftAlt = 342;
+constexpr int kKeyRightShift = 344;
+constexpr int kKeyRightControl = 345;
+constexpr int kKeyRightAlt = 346;
 constexpr int kKeyCount = 349;
 
 /// The state after the last poll(). Positions in window coordinates, from the top left.
 struct Input {
     std::array<bool, kKeyCount> held{};
     std::array<bool, kKeyCount> pressed{};  ///< went down since the poll before
-    std::array<bool, 3> buttons{};          ///< left, right, middle
+    std::array<bool, 3> buttons{};          ///< left, right, middle: held
+    std::array<bool, 3> clicked{};          ///< went down since the poll before
+    std::u32string typed;                   ///< characters, since the poll before
     double cursorX = 0.0, cursorY = 0.0;
     double movedX = 0.0, movedY = 0.0;  ///< of the cursor, since the poll before
     double scrolled = 0.0;              ///< lines, since the poll before
+
+    [[nodiscard]] bool isHeld(int key) const { return held[static_cast<size_t>(key)]; }
+    [[nodiscard]] bool wasPressed(int key) const { return pressed[static_cast<size_t>(key)]; }
+    [[nodiscard]] bool shift() const { return isHeld(kKeyLeftShift) || isHeld(kKeyRightShift); }
+    [[nodiscard]] bool control() const {
+        return isHeld(kKeyLeftControl) || isHeld(kKeyRightControl);
+    }
+    [[nodiscard]] bool alt() const { return isHeld(kKeyLeftAlt) || isHeld(kKeyRightAlt); }
 };
 
 class Window {
@@ -55,10 +82,18 @@ class Window {
     /// The user pressed Escape or closed the window, or the window was destroyed from outside.
     [[nodiscard]] bool shouldClose() const;
     void requestClose();
+    /// In the units of the cursor's position.
+    [[nodiscard]] VkExtent2D size() const;
     /// In pixels; 0 by 0 while minimised.
     [[nodiscard]] VkExtent2D framebufferSize() const;
     void resize(uint32_t width, uint32_t height);
     void setTitle(const std::string& title);
+    /// Over the whole of the monitor that most of it lies on, or back to where it was.
+    void setFullScreen(bool on);
+    [[nodiscard]] bool fullScreen() const;
+
+    void setClipboard(const std::string& text);
+    [[nodiscard]] std::string clipboard() const;
 
     /// A Vulkan surface for it; the caller destroys it, before the window.
     core::Result<VkSurfaceKHR> createSurface(VkInstance instance) const;

@@ -23,6 +23,7 @@ struct CoarseIrradiance {
     graph::Image irradiance{};  ///< RGBA32Uint, a texel for divisor × divisor pixels: as in
                                 ///< lib/coarse_light.glsl, W/m²
     graph::Image guide{};  ///< RGBA32Uint: position as float bits, the geometry's normal octahedral
+    graph::Image mean{};   ///< of what comes out of the history: RGBA32F, a = frames in it
 };
 
 /// \param step filter: texels between two taps

@@ -96,7 +96,7 @@ CoarseIrradiance addFinalHistory(graph::Frame& frame, const deferred::Surface& s
     mean.irradiance =
         node.write(shared::SLOT_FINAL_COARSE,
                    frame.image("mean irradiance", {graph::Format::RGBA32Uint, desc.extent}));
-    (void)node.write(shared::SLOT_HISTORY_MEAN, means.current);
+    mean.mean = node.write(shared::SLOT_HISTORY_MEAN, means.current);
     (void)node.write(shared::SLOT_HISTORY_SLOPE, slopes.current);
     (void)node.write(shared::SLOT_HISTORY_MOMENTS, moments.current);
     mean.guide = node.write(shared::SLOT_FINAL_GUIDE, guides.current);

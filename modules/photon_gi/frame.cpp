@@ -43,7 +43,10 @@ DrawnFrame drawFrame(graph::Frame& f, const FrameInputs& in, const Settings& s,
     JoinedIrradiance indirect;
     if (s.pipeline != Pipeline::Direct && s.maxBounces > 0 && in.paths.paths > 0)
         indirect = finalGathers(s) ? addGridGather(f, in, s, room, surface, out)
-                                   : addTileGather(f, in, s, room, surface, bounds, out.ledgers);
+                                   : addTileGather(f, in, s, room, surface, bounds, out);
+    out.insides.view = in.view;
+    out.insides.depth = surface.depth;
+    out.insides.accel = in.accel;
     out.counters = indirect.edges.counters;
 
     out.radiance = addComposite(f, surface, direct, indirect.irradiance, lights, in.scene,

@@ -30,6 +30,17 @@ struct FrameInputs {
     bool settles = false;  ///< its picture is kept, see recallFinal()
 };
 
+/// For onlookers, who may draw over the picture what the frame is made of. Handles are invalid
+/// where it has no such thing.
+struct Insides {
+    shared::View view{};
+    graph::Image depth{};           ///< D32, reversed
+    photons::PhotonList photons{};  ///< of the last batch
+    graph::Buffer tileRanges{};     ///< of the last batch; uvec2 a tile: first index, count
+    graph::Image mean{};            ///< low resolution, a = frames in the mean of light
+    accel::AccelHandles accel{};
+};
+
 /// What came of it. The buffers are for reading back after the frame.
 struct DrawnFrame {
     graph::Image radiance{};   ///< "final": RGBA16F
@@ -37,6 +48,7 @@ struct DrawnFrame {
     std::vector<graph::Buffer> ledgers;  ///< a batch each
     graph::Buffer lightReach{};  ///< metres a light, then the watts cut off; invalid where settled
     graph::Buffer importance{};  ///< a float a path, for PathGuide; invalid where none is guided
+    Insides insides{};
 };
 
 [[nodiscard]] DrawnFrame drawFrame(graph::Frame& frame, const FrameInputs& in,

@@ -41,6 +41,8 @@ JoinedIrradiance addGridGather(graph::Frame& f, const FrameInputs& in, const Set
         historyFrames(s) > 1 ? deferred::addMotion(f, surface, in.scene, in.draws) : graph::Image{};
     const auto mean =
         addFinalHistory(f, surface, rough.coarse, motion, in.past, historyFrames(s), gather);
+    out.insides.photons = photons;
+    out.insides.mean = mean.mean;
     const auto smooth = addFinalFilter(f, surface, mean, gather);
     const auto joined = addFinalUpsample(f, surface, world, smooth, cells.counters, gather);
     if (guided(s) && photons.pathCount == in.paths.paths)

@@ -67,6 +67,8 @@ class Renderer {
 
     [[nodiscard]] const accel::AccelOnGpu& accel() const { return accel_; }
     [[nodiscard]] const residency::SceneOnGpu& scene() const { return scene_; }
+    /// How the last declared frame's paths are split over the emitters.
+    [[nodiscard]] const photons::PathSplit& paths() const { return plan_.split; }
     [[nodiscard]] uint64_t deviceBytes() const {
         return scene_.deviceBytes() + accel_.deviceBytes() + keeper_.deviceBytes();
     }

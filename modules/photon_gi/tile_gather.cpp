@@ -7,8 +7,7 @@ namespace lampyris::photon_gi {
 
 JoinedIrradiance addTileGather(graph::Frame& f, const FrameInputs& in, const Settings& s,
                                const Capacities& room, const deferred::Surface& surface,
-                               const deferred::TileBounds& bounds,
-                               std::vector<graph::Buffer>& ledgers) {
+                               const deferred::TileBounds& bounds, DrawnFrame& out) {
     const bool thesis = s.pipeline == Pipeline::Thesis;
     const GatherSettings gather{s.radiusMetres, s.gatherDivisor};
     const photons::TraceSettings trace{s.maxBounces, !thesis, in.seed, room.photons};
@@ -22,7 +21,9 @@ JoinedIrradiance addTileGather(graph::Frame& f, const FrameInputs& in, const Set
                    : addTileBin(f, photons, bounds, in.view, {s.radiusMetres, room.pairs});
         edges.counters = tiles.counters;
         gathered = addGather(f, surface, photons, tiles, edges, gather, gathered);
-        ledgers.push_back(photons.ledger);
+        out.ledgers.push_back(photons.ledger);
+        out.insides.photons = photons;
+        out.insides.tileRanges = tiles.ranges;
     }
     return {addUpsample(f, surface, gathered, edges, gather), edges};
 }

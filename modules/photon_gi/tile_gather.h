@@ -8,11 +8,10 @@
 namespace lampyris::photon_gi {
 
 /// Photons of one batch after the other: traced, binned, gathered; their irradiances add up.
-/// \param ledgers receives one a batch
+/// \param out receives their ledgers, a batch each, and its insides
 [[nodiscard]] JoinedIrradiance addTileGather(graph::Frame& frame, const FrameInputs& in,
                                              const Settings& settings, const Capacities& room,
                                              const deferred::Surface& surface,
-                                             const deferred::TileBounds& bounds,
-                                             std::vector<graph::Buffer>& ledgers);
+                                             const deferred::TileBounds& bounds, DrawnFrame& out);
 
 }  // namespace lampyris::photon_gi

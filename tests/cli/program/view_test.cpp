@@ -1,70 +1,8 @@
 // `lampyris view` on a display of its own: it shows frames, and ends with 0 when the user ends it.
-#include <chrono>
-#include <memory>
-#include <thread>
-
-#include "cli/program/program.h"
+#include "cli/program/view_fixture.h"
 
 namespace lampyris::test {
 namespace {
-
-constexpr int kSeconds = 60;
-
-/// Asks again and again until the answer is yes.
-bool eventually(const auto& question) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(kSeconds);
-    while (std::chrono::steady_clock::now() < end) {
-        if (question()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-    return false;
-}
-
-class View : public testing::Test {
- protected:
-    /// A display server; it chooses a number that nobody has, and says so when it is ready.
-    void SetUp() override {
-        server_ =
-            std::make_unique<Process>(Arguments{"Xvfb", "-displayfd", "1", "-screen", "0",
-                                                "800x600x24", "-nolisten", "tcp", "-noreset"});
-        ASSERT_TRUE(eventually([&] { return server_->outputSoFar().ends_with('\n'); }));
-        const std::string number = server_->outputSoFar();
-        display_ = "DISPLAY=:" + number.substr(0, number.size() - 1);
-    }
-
-    [[nodiscard]] std::unique_ptr<Process> start(const Arguments& command) const {
-        return std::make_unique<Process>(command, std::vector{display_});
-    }
-    [[nodiscard]] std::unique_ptr<Process> startView(const Arguments& more = {"--size",
-                                                                              "160x90"}) const {
-        Arguments command{programPath(), "view", "cornell"};
-        command.insert(command.end(), more.begin(), more.end());
-        return start(command);
-    }
-    /// Standard output of xdotool.
-    std::string ask(const Arguments& arguments) const {
-        Arguments command{"xdotool"};
-        command.insert(command.end(), arguments.begin(), arguments.end());
-        return start(command)->wait(kSeconds).out;
-    }
-    /// Waits until the window's title tells of a frame that was shown.
-    [[nodiscard]] bool showsFrames(Process& view) const {
-        return eventually([&] {
-            return !view.running() ||
-                   ask({"search", "--name", "lampyris: cornell, [0-9.]+ ms", "getwindowname"})
-                           .find(" ms") != std::string::npos;
-        });
-    }
-
-    std::unique_ptr<Process> server_;
-    std::string display_;
-};
-
-void expectQuietEnd(Process& view) {
-    const Ran ran = view.wait(kSeconds);
-    EXPECT_EQ(ran.code, 0) << "signal " << ran.signal;
-    EXPECT_EQ(ran.err, "");
-}
 
 TEST_F(View, EndsWithEscape) {
     const auto view = startView();
@@ -74,10 +12,7 @@ TEST_F(View, EndsWithEscape) {
 }
 
 TEST_F(View, EndsWithTheWindowManagersClose) {
-    // A window that comes while openbox still starts is never shown.
-    const auto manager = start({"openbox", "--sm-disable", "--startup", "echo ready"});
-    ASSERT_TRUE(
-        eventually([&] { return manager->outputSoFar().find("ready") != std::string::npos; }));
+    const auto manager = startManager();
     const auto view = startView();
     ASSERT_TRUE(showsFrames(*view));
     // What the close button does, by the manager's key for it.
@@ -103,7 +38,7 @@ TEST_F(View, MeasuresFlickerOfWhatItShows) {
     const ScratchFolder folder;
     const auto view = startView(
         {"--size", "64x36", "--frames", "45", "--validation", "--flicker", folder / "a.csv"});
-    const Ran ran = view->wait(kSeconds);
+    const Ran ran = view->wait(kViewSeconds);
     EXPECT_EQ(ran.code, 0) << ran.err;
     EXPECT_NE(ran.out.find("over 5 frames; no change was followed"), std::string::npos) << ran.out;
     const std::string csv = textOf(folder / "a.csv");

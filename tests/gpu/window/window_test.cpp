@@ -10,9 +10,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/file.h"
 #include "execute/executor.h"
 #include "support/gpu_test.h"
+#include "support/screen_file.h"
 #include "window/presenter.h"
 
 namespace lampyris {
@@ -56,15 +56,7 @@ class Display {
 
     /// Red, green and blue of a pixel of the screen, from the XWD file.
     [[nodiscard]] std::array<int, 3> pixel(uint32_t x, uint32_t y) const {
-        const auto bytes = need(core::readFile(folder_ / "Xvfb_screen0"));
-        const auto word = [&](size_t index) {
-            const uint8_t* at = bytes.data() + 4 * index;
-            return uint32_t{at[0]} << 24 | uint32_t{at[1]} << 16 | uint32_t{at[2]} << 8 | at[3];
-        };
-        constexpr size_t kHeaderBytes = 0, kBytesPerLine = 12, kColours = 19, kColourBytes = 12;
-        const size_t first = word(kHeaderBytes) + word(kColours) * kColourBytes;
-        const uint8_t* at = bytes.data() + first + size_t{y} * word(kBytesPerLine) + size_t{x} * 4;
-        return {at[2], at[1], at[0]};
+        return test::ScreenFile(folder_).pixel(x, y);
     }
 
  private:

@@ -20,7 +20,7 @@ const std::vector<Library>& libraries() {
         {"spdlog", {"spdlog/"}, {"core"}},
         {"nlohmann-json",
          {"nlohmann/"},
-         {"ecs", "assets", "scene", "graph", "evaluation", "sandbox"}},
+         {"ecs", "assets", "scene", "graph", "execute", "evaluation", "overlay", "sandbox"}},
         {"stb", {"stb/"}, {"core", "assets", "residency"}},
         {"tinyexr", {"tinyexr.h"}, {"core"}},
         {"tinygltf", {"tiny_gltf.h"}, {"assets"}},

@@ -6,18 +6,18 @@
 
 #include "execute/statistics.h"
 
-namespace lampyris::sandbox {
+namespace lampyris::execute {
 
 /// Nodes as "complete" events in microseconds, on one row for the device and one for the CPU's
 /// recording. Nodes run one after the other; frames are laid end to end.
-class Trace {
+class ChromeTrace {
  public:
-    void add(const execute::FrameStatistics& frame);
+    void add(const FrameStatistics& frame);
     /// JSON text.
     [[nodiscard]] std::string text() const;
 
  private:
-    std::vector<execute::FrameStatistics> frames_;
+    std::vector<FrameStatistics> frames_;
 };
 
-}  // namespace lampyris::sandbox
+}  // namespace lampyris::execute

@@ -1,9 +1,9 @@
-#include "trace.h"
+#include "execute/chrome_trace.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace lampyris::sandbox {
+namespace lampyris::execute {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -27,17 +27,17 @@ double addEvent(Json& events, int row, const std::string& name, double begin, do
 
 }  // namespace
 
-void Trace::add(const execute::FrameStatistics& frame) {
+void ChromeTrace::add(const FrameStatistics& frame) {
     frames_.push_back(frame);
 }
 
-std::string Trace::text() const {
+std::string ChromeTrace::text() const {
     Json events = Json::array({rowName(kDeviceRow, "device"), rowName(kCpuRow, "cpu: recording")});
     double begin = 0.0;
-    for (const execute::FrameStatistics& frame : frames_) {
+    for (const FrameStatistics& frame : frames_) {
         double device = begin;
         double cpu = begin;
-        for (const execute::NodeTime& node : frame.nodes) {
+        for (const NodeTime& node : frame.nodes) {
             device = addEvent(events, kDeviceRow, node.name, device, node.gpuMilliseconds);
             cpu = addEvent(events, kCpuRow, node.name, cpu, node.cpuRecordMilliseconds);
         }
@@ -47,4 +47,4 @@ std::string Trace::text() const {
     return trace.dump(1) + "\n";
 }
 
-}  // namespace lampyris::sandbox
+}  // namespace lampyris::execute

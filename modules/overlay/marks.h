@@ -1,0 +1,40 @@
+/// \file overlay/photons, /paths, /boxes, /heat: what the frame is made of, over the picture.
+///   in      photon_gi::Insides, the picture as 8-bit display values      out   the picture
+///   shader  overlay/photons.vert, paths.vert, boxes.vert, mark.frag, heat.comp
+#pragma once
+
+#include "photon_gi/frame.h"
+
+namespace lampyris::overlay {
+
+enum class Colouring : uint8_t { Power, Bounce };
+enum class Heat : uint8_t {
+    None,
+    Tiles,    ///< photons a tile, where the gather is from tiles
+    History,  ///< frames in the mean of light, at low resolution
+};
+
+/// What is drawn over the picture.
+struct MarkChoice {
+    bool photons = false;
+    bool paths = false;
+    bool throughWalls = false;  ///< what surfaces hide is drawn too
+    Colouring colouring = Colouring::Power;
+    float brightnessEv = 0.0f;  ///< of colours by power, doubling
+    float radiusPixels = 1.5f;  ///< of a photon
+    bool boxes = false;         ///< of the BVH
+    uint32_t boxLevel = 4;      ///< below the root
+    Heat heat = Heat::None;
+    float heatMost = 32.0f;  ///< shown as white
+    float heatOpacity = 0.7f;
+
+    [[nodiscard]] bool any() const { return photons || paths || boxes || heat != Heat::None; }
+};
+
+constexpr uint32_t kMostBoxLevel = 12;
+
+/// Leaves out what the frame has not.
+[[nodiscard]] graph::Image addMarks(graph::Frame& frame, const photon_gi::Insides& insides,
+                                    const MarkChoice& choice, graph::Image shown);
+
+}  // namespace lampyris::overlay

@@ -1,0 +1,127 @@
+#include "overlay/overlay.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "overlay/feed_input.h"
+#include "overlay/panel_node.h"
+
+namespace lampyris::overlay {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr float kLeastStep = 1e-4f;  // seconds: ImGui takes no frame of no length
+
+void chooseStyle() {
+    ImGui::StyleColorsDark();
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowRounding = 4.0f;
+    style.FrameRounding = 3.0f;
+    style.ItemSpacing = {6.0f, 3.0f};
+    style.Colors[ImGuiCol_WindowBg].w = 0.86f;
+}
+
+}  // namespace
+
+/// ImGui keeps a pointer to the clipboard: its address must stay.
+struct Overlay::State {
+    ImGuiContext* context = nullptr;
+    gpu::Image font;
+    Clipboard clipboard;
+    std::string pasted;  ///< what the last paste was given
+    bool visible = true;
+    bool open = false;  ///< between begin() and addNode()
+    Clock::time_point begun;
+    double milliseconds = 0.0;
+
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() {
+        if (context != nullptr) ImGui::DestroyContext(context);
+    }
+};
+
+Overlay::Overlay(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Overlay::Overlay(Overlay&&) noexcept = default;
+Overlay::~Overlay() = default;
+
+core::Result<Overlay> Overlay::create(gpu::Device& device, Clipboard clipboard) {
+    auto state = std::make_unique<State>();
+    state->clipboard = std::move(clipboard);
+    state->context = ImGui::CreateContext();
+    ImGui::SetCurrentContext(state->context);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;  // where windows lie is the program's to keep
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    mapKeys(io);
+    io.ClipboardUserData = state.get();
+    io.SetClipboardTextFn = [](void* user, const char* text) {
+        const auto& self = *static_cast<State*>(user);
+        if (self.clipboard.set) self.clipboard.set(text);
+    };
+    io.GetClipboardTextFn = [](void* user) -> const char* {
+        auto& self = *static_cast<State*>(user);
+        self.pasted = self.clipboard.get ? self.clipboard.get() : std::string{};
+        return self.pasted.c_str();
+    };
+    chooseStyle();
+    TRY(state->font, makeFont(device));
+    return Overlay{std::move(state)};
+}
+
+bool Overlay::visible() const {
+    return state_->visible;
+}
+
+void Overlay::show(bool visible) {
+    state_->visible = visible;
+    if (!visible) state_->milliseconds = 0.0;
+}
+
+void Overlay::begin(const window::Input& input, graph::Extent windowSize, graph::Extent pictureSize,
+                    double seconds) {
+    if (!state_->visible) return;
+    state_->begun = Clock::now();
+    ImGui::SetCurrentContext(state_->context);
+    if (state_->open) ImGui::EndFrame();  // the frame before was never drawn
+    ImGuiIO& io = ImGui::GetIO();
+    const auto width = static_cast<float>(pictureSize.width);
+    const auto height = static_cast<float>(pictureSize.height);
+    io.DisplaySize = {width, height};
+    io.DeltaTime = std::max(static_cast<float>(seconds), kLeastStep);
+    feedInput(io, input, width / static_cast<float>(std::max(windowSize.width, 1u)),
+              height / static_cast<float>(std::max(windowSize.height, 1u)));
+    ImGui::NewFrame();
+    state_->open = true;
+}
+
+bool Overlay::wantsMouse() const {
+    return state_->open && ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Overlay::typing() const {
+    return state_->open && ImGui::GetIO().WantTextInput;
+}
+
+graph::Image Overlay::addNode(graph::Frame& frame, graph::Image shown, graph::Image picture) {
+    if (!state_->open) return shown;
+    ImGui::SetCurrentContext(state_->context);
+    ImGui::Render();
+    state_->open = false;
+    const graph::Image drawn =
+        addPanels(frame, *ImGui::GetDrawData(), state_->font, picture, shown);
+    const std::chrono::duration<double, std::milli> spent = Clock::now() - state_->begun;
+    state_->milliseconds = spent.count();
+    return drawn;
+}
+
+double Overlay::cpuMilliseconds() const {
+    return state_->milliseconds;
+}
+
+}  // namespace lampyris::overlay

@@ -1,0 +1,136 @@
+#include "overlay/settings_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "overlay/setting_list.h"
+
+namespace lampyris::overlay {
+namespace {
+
+using photon_gi::Settings;
+
+template <typename Enum>
+void editChoice(Enum& value, std::initializer_list<const char*> names) {
+    int index = static_cast<int>(value);
+    if (ImGui::Combo("##value", &index, names.begin(), static_cast<int>(names.size())))
+        value = static_cast<Enum>(index);
+}
+
+struct Editor {
+    const SettingInfo& info;
+    Settings& settings;
+
+    void operator()(uint32_t Settings::*field) const {
+        const auto least = static_cast<uint32_t>(info.least);
+        const auto most = static_cast<uint32_t>(info.most);
+        uint32_t value = settings.*field;
+        const float speed = info.wide ? std::max(0.1f, 0.01f * static_cast<float>(value)) : 0.05f;
+        if (ImGui::DragScalar("##value", ImGuiDataType_U32, &value, speed, &least, &most, "%u"))
+            settings.*field = std::clamp(value, least, most);
+    }
+    void operator()(float Settings::*field) const {
+        const auto least = static_cast<float>(info.least);
+        const auto most = static_cast<float>(info.most);
+        float value = settings.*field;
+        if (ImGui::DragFloat("##value", &value, std::max(1e-4f, 0.01f * value), least, most,
+                             "%.4g"))
+            settings.*field = std::clamp(value, least, most);
+    }
+    void operator()(bool Settings::*field) const { ImGui::Checkbox("##value", &(settings.*field)); }
+    void operator()(photon_gi::Pipeline Settings::*field) const {
+        editChoice(settings.*field, {"full", "thesis", "direct"});
+    }
+    void operator()(photon_gi::Gather Settings::*field) const {
+        editChoice(settings.*field, {"tiles", "final"});
+    }
+    void operator()(photon_gi::Retrace Settings::*field) const {
+        editChoice(settings.*field, {"auto", "all"});
+    }
+};
+
+struct TextOf {
+    const Settings& settings;
+    std::string operator()(uint32_t Settings::*field) const {
+        return fmt::format("{}", settings.*field);
+    }
+    std::string operator()(float Settings::*field) const {
+        return fmt::format("{:g}", settings.*field);
+    }
+    std::string operator()(bool Settings::*field) const { return settings.*field ? "on" : "off"; }
+    std::string operator()(photon_gi::Pipeline Settings::*field) const {
+        constexpr std::array kNames{"full", "thesis", "direct"};
+        return kNames[static_cast<size_t>(settings.*field)];
+    }
+    std::string operator()(photon_gi::Gather Settings::*field) const {
+        return settings.*field == photon_gi::Gather::Tiles ? "tiles" : "final";
+    }
+    std::string operator()(photon_gi::Retrace Settings::*field) const {
+        return settings.*field == photon_gi::Retrace::Auto ? "auto" : "all";
+    }
+};
+
+void drawRow(const SettingInfo& info, Settings& settings, const Settings& defaults) {
+    ImGui::PushID(info.name);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(info.name);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", info.sentence);
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1.0f);
+    std::visit(Editor{info, settings}, info.field);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", info.sentence);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(info.unit);
+    ImGui::TableNextColumn();
+    const std::string now = std::visit(TextOf{settings}, info.field);
+    const std::string usual = std::visit(TextOf{defaults}, info.field);
+    if (now == usual)
+        ImGui::TextDisabled("%s", usual.c_str());
+    else if (ImGui::SmallButton(usual.c_str()))
+        std::visit([&](auto field) { settings.*field = defaults.*field; }, info.field);
+    ImGui::TableNextColumn();
+    ImGui::TextWrapped("%s", info.sentence);
+    ImGui::PopID();
+}
+
+/// What cannot be had together is put right as the program's options do.
+void mend(Settings& settings) {
+    if (settings.pipeline != photon_gi::Pipeline::Thesis) return;
+    settings.gather = photon_gi::Gather::Tiles;
+    settings.maxBounces = std::min(settings.maxBounces, 1u);
+}
+
+}  // namespace
+
+void drawSettingsPanel(Settings& settings, const Settings& defaults,
+                       core::DisplayTransform& display, bool* open) {
+    ImGui::SetNextWindowPos({400.0f, 240.0f}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({560.0f, 480.0f}, ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("Settings", open)) {
+        ImGui::SetNextItemWidth(160.0f);
+        ImGui::SliderFloat("exposure, EV", &display.exposureEv, -10.0f, 10.0f, "%.2f");
+        int tonemap = static_cast<int>(display.tonemap);
+        ImGui::SetNextItemWidth(160.0f);
+        if (ImGui::Combo("tone map", &tonemap, "clip\0filmic\0"))
+            display.tonemap = static_cast<core::Tonemap>(tonemap);
+        const auto flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable;
+        if (ImGui::BeginTable("settings", 5, flags)) {
+            ImGui::TableSetupColumn("setting", ImGuiTableColumnFlags_WidthStretch, 1.1f);
+            ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1.0f);
+            ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthStretch, 0.6f);
+            ImGui::TableSetupColumn("default", ImGuiTableColumnFlags_WidthStretch, 0.7f);
+            ImGui::TableSetupColumn("what it does", ImGuiTableColumnFlags_WidthStretch, 3.2f);
+            ImGui::TableHeadersRow();
+            for (const SettingInfo& info : settingList()) drawRow(info, settings, defaults);
+            ImGui::EndTable();
+        }
+        mend(settings);
+    }
+    ImGui::End();
+}
+
+}  // namespace lampyris::overlay

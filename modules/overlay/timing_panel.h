@@ -1,0 +1,37 @@
+/// \file GPU timing: every node's milliseconds as bars and as history.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "overlay/frame_seen.h"
+#include "overlay/node_times.h"
+
+namespace lampyris::overlay {
+
+class TimingPanel {
+ public:
+    /// Remembers a frame that was drawn; does nothing while frozen.
+    void add(const execute::FrameStatistics& frame, double overlayMilliseconds);
+    /// \param open  as ImGui::Begin has it
+    void draw(bool* open);
+
+    float budgetMilliseconds = 16.7f;  ///< where the line stands
+    /// Where "Chrome trace" writes to.
+    std::filesystem::path traceFile = "lampyris_trace.json";
+    [[nodiscard]] const NodeTimes& times() const { return times_; }
+
+ private:
+    void drawButtons();
+    void drawFrame();
+    void drawNodes();
+    void drawHistory();
+
+    NodeTimes times_;
+    bool frozen_ = false;
+    std::string selected_;  ///< node whose history is drawn; empty: the frame's
+    std::string written_;   ///< what became of the last export
+    std::vector<float> overlayCpu_;
+};
+
+}  // namespace lampyris::overlay

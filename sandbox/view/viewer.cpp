@@ -1,0 +1,332 @@
+#include "view/viewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/image_io.h"
+#include "display.h"
+#include "fly_camera.h"
+#include "overlay/setting_list.h"
+#include "scene/registration.h"
+#include "steer_player.h"
+#include "view/edits.h"
+
+namespace lampyris::sandbox::view {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr float kSecondsAcross = 8.0f;  // [chosen] to fly from one end of the scene to the other
+constexpr float kFast = 4.0f;           // with Shift
+constexpr float kLongestStep = 0.25f;   // seconds; a slow frame throws nobody out of the scene
+constexpr double kIdleSeconds = 0.1;
+constexpr double kTimestep = 1.0 / 60.0;  // seconds a frame, where --timestep does not say
+constexpr double kClickPixels = 4.0;      // a drag shorter than that is a click
+
+/// Options that were given stand against what a file says.
+void overrideBy(const Options& options, photon_gi::Settings& settings) {
+    const photon_gi::Settings asked = settingsOf(options);
+    const photon_gi::Settings usual = settingsOf(Options{});
+    for (const overlay::SettingInfo& info : overlay::settingList())
+        std::visit(
+            [&](auto field) {
+                if (asked.*field != usual.*field) settings.*field = asked.*field;
+            },
+            info.field);
+}
+
+}  // namespace
+
+Viewer::Viewer(const ViewOptions& options, window::Window& window, FrameLoop& loop,
+               window::Presenter& presenter)
+    : options_(options),
+      window_(window),
+      loop_(loop),
+      presenter_(presenter),
+      defaults_(settingsOf(options)),
+      lastPoll_(Clock::now()) {
+    scene::registerComponents(registry_);
+}
+
+core::Result<void> Viewer::prepare() {
+    state_.settings = defaults_;
+    state_.display = options_.display;
+    state_.overlay = options_.overlay;
+    if (!options_.settings.empty()) TRY_VOID(readState(options_.settings, state_));
+    overrideBy(options_, state_.settings);
+    if (!options_.replay.empty()) {
+        TRY(InputLog log, readInputLog(options_.replay, options_.scene));
+        TRY_VOID(parseState(log.state, state_));
+        replayed_ = std::move(log.moments);
+    }
+    if (!state_.cameraToWorld) state_.cameraToWorld = loop_.request.camera.cameraToWorld;
+    if (!options_.record.empty()) recorder_.emplace(options_.scene, stateText(state_));
+    loop_.request.settings = state_.settings;
+    loop_.request.camera.cameraToWorld = *state_.cameraToWorld;
+    play_.timeScale = state_.timeScale;
+    play_.walks = state_.walks;
+    if (!options_.flicker.empty()) {
+        TRY(flicker::Watch watch, flicker::Watch::create(loop_.device()));
+        watch_.emplace(std::move(watch));
+    }
+    const overlay::Clipboard clipboard{
+        [this](const std::string& text) { window_.setClipboard(text); },
+        [this] { return window_.clipboard(); }};
+    TRY(overlay::Overlay made, overlay::Overlay::create(loop_.device(), clipboard));
+    overlay_.emplace(std::move(made));
+    overlay_->show(state_.overlay);
+    TRY(overlay::Panels panels, overlay::Panels::create(loop_.device(), registry_));
+    panels_.emplace(std::move(panels));
+    panels_->open = state_.panels;
+    if (state_.fullScreen && replayed_.empty()) window_.setFullScreen(true);
+    return {};
+}
+
+core::Result<void> Viewer::run() {
+    TRY_VOID(prepare());
+    loop_.seconds = options_.time;
+    for (uint64_t i = 0; !window_.shouldClose() && !isLast(i);) {
+        const auto moment = nextMoment();
+        if (!moment) {
+            window_.waitForEvents(kIdleSeconds);
+            continue;
+        }
+        if (recorder_) recorder_->add(*moment);
+        takeKeys(*moment);
+        drawPanels(*moment);
+        useMouse(*moment);
+        moveCamera(*moment);
+        meetWishes();
+        TRY_VOID(draw(*moment, i));
+        if (!play_.paused || std::exchange(play_.step, false))
+            loop_.seconds +=
+                static_cast<double>(play_.timeScale) * options_.timestep.value_or(kTimestep);
+        ++i;
+    }
+    return finish();
+}
+
+core::Result<void> Viewer::finish() {
+    if (recorder_) TRY_VOID(recorder_->write(options_.record));
+    if (!options_.settings.empty()) {
+        state_.settings = loop_.request.settings;
+        state_.panels = panels_->open;
+        state_.overlay = overlay_->visible();
+        state_.cameraToWorld = loop_.request.camera.cameraToWorld;
+        state_.timeScale = play_.timeScale;
+        state_.walks = play_.walks;
+        state_.fullScreen = window_.fullScreen();
+        if (!state_.fullScreen) state_.size = loop_.request.size;
+        TRY_VOID(writeState(options_.settings, state_));
+    }
+    if (watch_) {
+        TRY_VOID(watch_->finish(options_.flicker));
+        fmt::print("{}\n", watch_->summary());
+    }
+    return measured_.series.frames() > 0 ? writeResults(options_, loop_, measured_, trace_)
+                                         : core::Result<void>{};
+}
+
+bool Viewer::isLast(uint64_t frame) const {
+    if (!replayed_.empty() && nextReplayed_ == replayed_.size()) return true;
+    return options_.frames && frame >= uint64_t{*options_.frames} + options_.warmup.value_or(0);
+}
+
+bool Viewer::wantsMeasurements() const {
+    return !options_.report.empty() || !options_.graph.empty() || !options_.trace.empty();
+}
+
+std::optional<Moment> Viewer::nextMoment() {
+    window_.poll();
+    if (!replayed_.empty()) return replayed_[nextReplayed_++];
+    const VkExtent2D size = window_.framebufferSize();
+    if (size.width == 0 || size.height == 0) return std::nullopt;
+    const auto now = Clock::now();
+    const std::chrono::duration<float> passed = now - std::exchange(lastPoll_, now);
+    const VkExtent2D units = window_.size();
+    return Moment{window_.input(),
+                  std::min(passed.count(), kLongestStep),
+                  {std::max(units.width, 1u), std::max(units.height, 1u)},
+                  {size.width, size.height}};
+}
+
+void Viewer::takeKeys(const Moment& moment) {
+    const window::Input& in = moment.input;
+    if (in.wasPressed(window::kKeyF1)) overlay_->show(!overlay_->visible());
+    if (in.wasPressed(window::kKeyF1 + 10) && replayed_.empty())
+        window_.setFullScreen(!window_.fullScreen());
+    if (in.wasPressed(window::kKeyF1 + 11)) play_.screenshot = true;
+    if (overlay_->typing()) return;
+    if (in.wasPressed(' ')) play_.paused = !play_.paused;
+    if (in.wasPressed('.')) play_.step = play_.paused;
+    if (in.wasPressed('[')) play_.timeScale *= 0.5f;
+    if (in.wasPressed(']')) play_.timeScale *= 2.0f;
+    if (in.wasPressed('C')) play_.walks = !play_.walks;
+    if (in.wasPressed('1')) play_.handles = overlay::HandleKind::Move;
+    if (in.wasPressed('2')) play_.handles = overlay::HandleKind::Rotate;
+    if (in.wasPressed('3')) play_.handles = overlay::HandleKind::Scale;
+    if (in.wasPressed('L')) play_.spawnLight = true;
+    if (in.wasPressed('B')) play_.spawnBox = true;
+    if (in.wasPressed(window::kKeyDelete)) play_.deleteSelected = true;
+}
+
+void Viewer::drawPanels(const Moment& moment) {
+    handlesHot_ = false;
+    overlay_->begin(moment.input, moment.windowSize, moment.size, moment.seconds);
+    if (!overlay_->visible() || !last_) return;
+    const overlay::FrameSeen seen{last_->outcome.statistics,
+                                  last_->declared,
+                                  last_->outcome.graph,
+                                  last_->outcome.report,
+                                  loop_.renderer().accel().counts(),
+                                  loop_.snapshot(),
+                                  loop_.request.size,
+                                  overlay_->cpuMilliseconds()};
+    const overlay::Editable edits{loop_.world(), selected_, loop_.request.settings, defaults_,
+                                  state_.display};
+    panels_->draw(seen, loop_.renderer().paths(), edits, &play_);
+    if (!loop_.world().alive(selected_)) return;
+    handles_.kind = play_.handles;
+    handlesHot_ = handles_.draw(loop_.world(), selected_, loop_.request.camera, moment.size);
+}
+
+/// A click picks, a drag turns the camera; both only where neither panels nor handles lie.
+void Viewer::useMouse(const Moment& moment) {
+    const window::Input& in = moment.input;
+    if (in.clicked[0] && !overlay_->wantsMouse() && !handlesHot_) {
+        dragsCamera_ = true;
+        draggedPixels_ = 0.0;
+    } else if (dragsCamera_) {
+        draggedPixels_ += std::abs(in.movedX) + std::abs(in.movedY);
+    }
+    if (!dragsCamera_) return;
+    if (in.buttons[0]) return;
+    dragsCamera_ = false;
+    if (draggedPixels_ > kClickPixels) return;
+    const double scale =
+        static_cast<double>(moment.size.width) / static_cast<double>(moment.windowSize.width);
+    selected_ = pick(loop_.snapshot(), loop_.request.camera, moment.size, in.cursorX * scale,
+                     in.cursorY * scale);
+}
+
+void Viewer::moveCamera(const Moment& moment) {
+    loop_.request.size = moment.size;
+    window::Input input = moment.input;
+    input.buttons[0] = dragsCamera_;
+    if (overlay_->typing()) input.held.fill(false);
+    auto& camera = loop_.request.camera;
+    if (play_.walks) {
+        camera.cameraToWorld =
+            walk_.walk(camera.cameraToWorld, input, loop_.snapshot(), moment.seconds);
+    } else {
+        const float across = glm::length(loop_.snapshot().boundsWorld.extent());
+        const float pace = across / kSecondsAcross * (input.shift() ? kFast : 1.0f);
+        camera.cameraToWorld = fly(camera.cameraToWorld, input, pace, moment.seconds);
+    }
+    steerPlayer(loop_.world(), camera.cameraToWorld, input, moment.seconds);
+}
+
+void Viewer::meetWishes() {
+    if (std::exchange(play_.spawnLight, false))
+        selected_ = spawnLightAhead(loop_.world(), loop_.snapshot(), loop_.request.camera);
+    if (std::exchange(play_.spawnBox, false))
+        selected_ = spawnBoxAhead(loop_.world(), loop_.snapshot(), loop_.request.camera);
+    if (std::exchange(play_.deleteSelected, false) && loop_.world().alive(selected_))
+        loop_.world().destroy(std::exchange(selected_, {}));
+}
+
+core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
+    const bool saves = std::exchange(play_.screenshot, false);
+    graph::Image shown;
+    graph::Image plain;     // without the overlay
+    graph::Image radiance;  // for the truth panel
+    const auto addNodes = [&](graph::Frame& frame, const photon_gi::DrawnFrame& drawn) {
+        shown = addDisplay(frame, drawn.radiance, state_.display);
+        plain = shown;
+        if (saves || watch_) {
+            auto node = frame.transfer("screenshot");
+            plain = node.copy(shown, frame.image("screenshot", frame.desc(shown)));
+            frame.output(plain);
+            frame.publish("screenshot", plain);
+        }
+        if (overlay_->visible()) {
+            if (panels_->truth.on()) {
+                // What is shown again lies in a history image, which is not copied from.
+                auto node = frame.transfer("overlay/truth_copy");
+                radiance = node.copy(drawn.radiance,
+                                     frame.image("truth copy", frame.desc(drawn.radiance)));
+                frame.output(radiance);
+            }
+            shown = overlay::addMarks(frame, drawn.insides, panels_->marks, shown);
+            panels_->truth.addNode(frame, panels_->look.choice);
+            const graph::Image picture = panels_->look.addNode(frame);
+            shown = overlay_->addNode(frame, shown, picture);
+        }
+        frame.output(shown);
+    };
+    // What looks into the frame needs one that is drawn, not one that is shown again.
+    loop_.request.finalAlone =
+        !(overlay_->visible() && (panels_->marks.any() || !panels_->look.choice.name.empty()));
+    TRY_VOID(loop_.follow());
+    TRY(LoopFrame frame,
+        loop_.tryDraw(number, saves ? std::string("screenshot") : std::string{}, addNodes));
+    if (saves) TRY_VOID(saveScreenshot(frame, number));
+    const bool whole = frame.outcome.report.valid;
+    if (watch_ && whole)
+        TRY_VOID(
+            watch_->follow(loop_, loop_.executor().outputImage(plain), frame.declared.desc(plain)));
+    if (whole && radiance.valid()) {
+        const overlay::TruthView view{loop_.snapshot(), loop_.request.camera, moment.size.width,
+                                      moment.size.height, loop_.request.settings.maxBounces};
+        TRY_VOID(panels_->truth.follow(view, state_.display, loop_.executor().outputImage(radiance),
+                                       frame.declared.desc(radiance)));
+    }
+    TRY_VOID(present(frame, shown));
+    if (overlay_->visible() && whole)
+        panels_->timing.add(frame.outcome.statistics, overlay_->cpuMilliseconds());
+    if (whole && number >= options_.warmup.value_or(0) && wantsMeasurements()) {
+        trace_.add(frame.outcome.statistics);
+        measured_.add(frame);
+    }
+    last_ = std::move(frame);
+    return {};
+}
+
+core::Result<void> Viewer::present(const LoopFrame& frame, graph::Image shown) {
+    window_.setTitle(title(frame.outcome));
+    TRY(const window::Presented presented, presenter_.present(loop_.executor().outputImage(shown)));
+    if (presented == window::Presented::Closed) window_.requestClose();
+    if (presented == window::Presented::Skipped) window_.waitForEvents(kIdleSeconds);
+    // The next frame may make its images anew while this one is still being shown.
+    return loop_.device().waitIdle();
+}
+
+core::Result<void> Viewer::saveScreenshot(const LoopFrame& frame, uint64_t number) {
+    const std::filesystem::path folder =
+        options_.screenshots.empty() ? std::filesystem::path(".") : options_.screenshots;
+    const auto path = folder / fmt::format("lampyris_{:06}.png", number);
+    const core::Image& image = frame.outcome.image;
+    core::DisplayImage picture{image.width, image.height, {}};
+    picture.values.reserve(size_t{image.width} * image.height * 3);
+    for (size_t i = 0; i < image.values.size(); ++i)
+        if (i % 4 != 3)
+            picture.values.push_back(static_cast<uint8_t>(std::lround(255.0f * image.values[i])));
+    TRY_VOID(core::writePng(path, picture));
+    play_.message = "saved " + path.string();
+    return {};
+}
+
+std::string Viewer::title(const photon_gi::Renderer::Outcome& outcome) const {
+    if (outcome.report.valid)
+        return fmt::format("lampyris: {}, {:.1f} ms", options_.scene,
+                           outcome.statistics.gpuMilliseconds);
+    const shared::FrameCounters& counters = outcome.report.counters;
+    return fmt::format(
+        "lampyris: INVALID FRAME, {} photons, {} tile entries and {} grid cells dropped, {} in a "
+        "tile",
+        counters.photonsDropped, counters.pairsDropped, counters.cellsDropped, counters.mostInTile);
+}
+
+}  // namespace lampyris::sandbox::view

@@ -1,0 +1,80 @@
+/// \file The loop of `lampyris view`: input, edits, the overlay, a frame, the window.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "flicker/watch.h"
+#include "frame_loop.h"
+#include "overlay/overlay.h"
+#include "overlay/panels.h"
+#include "results.h"
+#include "view/input_log.h"
+#include "view/settings_file.h"
+#include "view/view_options.h"
+#include "view/walk_camera.h"
+#include "window/presenter.h"
+
+namespace lampyris::sandbox::view {
+
+class Viewer {
+ public:
+    /// All must outlive it.
+    Viewer(const ViewOptions& options, window::Window& window, FrameLoop& loop,
+           window::Presenter& presenter);
+
+    /// Until the window is closed, the replay is over or --frames are drawn.
+    core::Result<void> run();
+
+    [[nodiscard]] ViewState& state() { return state_; }
+
+ private:
+    core::Result<void> prepare();
+    core::Result<void> finish();
+    [[nodiscard]] bool isLast(uint64_t frame) const;
+    /// What happens next: from the window, or from the log. None while minimised.
+    std::optional<Moment> nextMoment();
+
+    void takeKeys(const Moment& moment);
+    void drawPanels(const Moment& moment);
+    void useMouse(const Moment& moment);
+    void moveCamera(const Moment& moment);
+    void meetWishes();
+
+    core::Result<void> draw(const Moment& moment, uint64_t number);
+    core::Result<void> present(const LoopFrame& frame, graph::Image shown);
+    core::Result<void> saveScreenshot(const LoopFrame& frame, uint64_t number);
+    [[nodiscard]] std::string title(const photon_gi::Renderer::Outcome& outcome) const;
+    [[nodiscard]] bool wantsMeasurements() const;
+
+    const ViewOptions& options_;
+    window::Window& window_;
+    FrameLoop& loop_;
+    window::Presenter& presenter_;
+
+    ViewState state_;
+    photon_gi::Settings defaults_;
+    ecs::Registry registry_;
+    std::optional<overlay::Overlay> overlay_;
+    std::optional<overlay::Panels> panels_;
+    overlay::PlayControls play_;
+    overlay::Handles handles_;
+    ecs::Entity selected_;
+    WalkCamera walk_;
+    std::optional<LoopFrame> last_;  ///< the last frame, for the panels
+
+    std::optional<InputRecorder> recorder_;
+    std::vector<Moment> replayed_;
+    size_t nextReplayed_ = 0;
+    std::chrono::steady_clock::time_point lastPoll_;
+    bool handlesHot_ = false;
+    bool dragsCamera_ = false;
+    double draggedPixels_ = 0.0;
+
+    Measured measured_;
+    execute::ChromeTrace trace_;
+    std::optional<flicker::Watch> watch_;
+};
+
+}  // namespace lampyris::sandbox::view

@@ -1,0 +1,204 @@
+// `lampyris view` as a user meets it: panels, keys and mouse, a window that is pulled about, what
+// it records.
+#include <algorithm>
+
+#include "cli/program/view_fixture.h"
+
+namespace lampyris::test {
+namespace {
+
+class ViewOverlay : public View {
+ protected:
+    void focus() const {
+        (void)ask({"search", "--name", "lampyris: cornell", "windowfocus", "--sync"});
+    }
+    void press(const std::string& key) const { (void)ask({"key", key}); }
+    void click(int x, int y) const {
+        (void)ask({"mousemove", std::to_string(x), std::to_string(y), "click", "1"});
+    }
+    /// The green axis of what is picked, half way up, near x.
+    [[nodiscard]] bool showsUpwardHandle(uint32_t x) const {
+        const ScreenFile now = screen();
+        for (uint32_t i = x - 4; i <= x + 4; ++i) {
+            const auto [red, green, blue] = now.pixel(i, 130);
+            if (green > red + 50 && green > blue + 50) return true;
+        }
+        return false;
+    }
+    /// A click is taken in by the next frame, and its outcome stands in the one after it.
+    [[nodiscard]] bool changes(const ScreenFile& before, uint32_t x0, uint32_t y0, uint32_t x1,
+                               uint32_t y1, size_t least) const {
+        return eventually([&] { return screen().differing(before, x0, y0, x1, y1) >= least; });
+    }
+};
+
+// The whole picture is known while nothing moves: it is shown again until something is asked for.
+TEST_F(ViewOverlay, OpensEveryPanelFromTheMenu) {
+    const auto view = startView({"--size", "1280x720", "--pipeline", "direct"});
+    ASSERT_TRUE(showsFrames(*view));
+    focus();
+    struct Panel {
+        const char* name;
+        int menuY;
+        uint32_t x, y, width, height;  // a part of where it comes to lie, free of others
+    };
+    for (const Panel& panel :
+         {Panel{"Graph", 46, 450, 130, 400, 90}, Panel{"Photons", 63, 70, 560, 300, 100},
+          Panel{"Truth", 80, 900, 60, 300, 100}, Panel{"Scene", 97, 900, 600, 300, 100},
+          Panel{"Settings", 114, 420, 620, 400, 80}}) {
+        const ScreenFile before = screen();
+        click(24, 9);
+        EXPECT_TRUE(changes(before, 10, 20, 120, 110, 2000)) << "the menu, for " << panel.name;
+        click(40, panel.menuY);
+        EXPECT_TRUE(changes(before, panel.x, panel.y, panel.x + panel.width, panel.y + panel.height,
+                            panel.width * panel.height / 3))
+            << panel.name;
+    }
+    // Hidden, all of it is gone.
+    const ScreenFile open = screen();
+    press("F1");
+    EXPECT_TRUE(changes(open, 0, 0, 1280, 720, 400000));
+    press("Escape");
+    expectQuietEnd(*view);
+}
+
+TEST_F(ViewOverlay, PicksAndMovesWhatIsPointedAt) {
+    ASSERT_TRUE(
+        core::writeFile(folder_ / "a.json", std::string(R"({"panels":{"timing":false}})")).ok());
+    const auto view =
+        startView({"--size", "640x360", "--pipeline", "direct", "--settings", folder_ / "a.json"});
+    ASSERT_TRUE(showsFrames(*view));
+    focus();
+    press("l");  // a light, picked; its handles stand in the middle
+    ASSERT_TRUE(eventually([&] { return showsUpwardHandle(320); }));
+    // Dragged to the right along the red one.
+    (void)ask({"mousemove", "380", "180"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    (void)ask({"mousedown", "1"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    (void)ask({"mousemove", "430", "180"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    (void)ask({"mouseup", "1"});
+    EXPECT_TRUE(eventually([&] { return showsUpwardHandle(370); })) << "it went with the red one";
+    press("Delete");
+    EXPECT_TRUE(eventually([&] { return !showsUpwardHandle(370); }));
+    press("Escape");
+    expectQuietEnd(*view);
+}
+
+TEST_F(ViewOverlay, ReplaysWhatWasRecordedToTheByte) {
+    const std::filesystem::path first = folder_ / "first";
+    const std::filesystem::path second = folder_ / "second";
+    std::filesystem::create_directories(first);
+    std::filesystem::create_directories(second);
+    const auto shots = [](const std::filesystem::path& folder) {
+        std::vector<std::string> names;
+        for (const auto& file : std::filesystem::directory_iterator(folder))
+            names.push_back(file.path().filename());
+        std::sort(names.begin(), names.end());
+        return names;
+    };
+    const auto view = startView({"--size", "320x180", "--record", folder_ / "log", "--screenshots",
+                                 first.string(), "--exposure", "-1"});
+    ASSERT_TRUE(showsFrames(*view));
+    focus();
+    (void)ask({"keydown", "w"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    (void)ask({"keyup", "w"});
+    click(200, 150);
+    press("b");
+    press("l");
+    press("F12");
+    ASSERT_TRUE(eventually([&] { return shots(first).size() == 1; }));
+    press("bracketright");
+    press("space");
+    press("F12");
+    ASSERT_TRUE(eventually([&] { return shots(first).size() == 2; }));
+    press("Escape");
+    expectQuietEnd(*view);
+    const auto again = startView({"--replay", folder_ / "log", "--screenshots", second.string()});
+    expectQuietEnd(*again);
+    ASSERT_EQ(shots(second), shots(first));
+    for (const std::string& name : shots(first))
+        EXPECT_EQ(textOf(first / name), textOf(second / name)) << name;
+    EXPECT_NE(textOf(first / shots(first)[0]), "");
+}
+
+TEST_F(ViewOverlay, SurvivesAStormOfSizes) {
+    const auto view = startView({"--size", "200x120", "--validation", "--pipeline", "direct",
+                                 "--report", folder_ / "a.json"});
+    ASSERT_TRUE(showsFrames(*view));
+    for (int i = 0; i < 40; ++i)
+        (void)ask({"search", "--name", "lampyris: cornell", "windowsize",
+                   std::to_string(1 + i * 37 % 400), std::to_string(1 + i * 53 % 300)});
+    (void)ask({"search", "--name", "lampyris: cornell", "windowsize", "160", "90"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    ASSERT_TRUE(showsFrames(*view));
+    focus();
+    press("Escape");
+    expectQuietEnd(*view);
+    const auto report = jsonOf(folder_ / "a.json");
+    EXPECT_EQ(report["validation_messages"], 0);
+    EXPECT_EQ(report["size"], (nlohmann::json{160, 90}));
+}
+
+TEST_F(ViewOverlay, ComesBackFromTheTaskBarAndFromFullScreen) {
+    const auto manager = startManager();
+    const auto view = startView({"--size", "200x120", "--pipeline", "direct"});
+    ASSERT_TRUE(showsFrames(*view));
+    (void)ask({"search", "--name", "lampyris: cornell", "windowminimize", "--sync"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    EXPECT_TRUE(view->running());
+    ASSERT_TRUE(eventually([&] {
+        (void)ask({"search", "--name", "lampyris: cornell", "windowmap", "windowactivate"});
+        return !ask({"getactivewindow"}).empty();
+    }));
+    const auto geometry = [&] {
+        return ask({"search", "--name", "lampyris: cornell", "getwindowgeometry"});
+    };
+    press("F11");
+    EXPECT_TRUE(eventually([&] { return geometry().find("1360x800") != std::string::npos; }));
+    press("F11");
+    EXPECT_TRUE(eventually([&] { return geometry().find("200x120") != std::string::npos; }));
+    press("Escape");
+    expectQuietEnd(*view);
+}
+
+TEST_F(ViewOverlay, EndsWhereItIsClosedWhileItLoads) {
+    const auto view = start({programPath(), "view", "cornell_statue", "--size", "160x90"});
+    ASSERT_TRUE(eventually([&] {
+        return !ask({"search", "--name", "lampyris: cornell_statue"}).empty();
+    }));
+    (void)ask({"search", "--name", "lampyris: cornell_statue", "windowfocus", "key", "Escape"});
+    expectQuietEnd(*view);
+}
+
+TEST_F(ViewOverlay, KeepsItsSettingsInAFile) {
+    const std::string file = folder_ / "a.json";
+    expectQuietEnd(*startView({"--size", "160x90", "--frames", "2", "--photons", "77", "--exposure",
+                               "-2", "--settings", file}));
+    EXPECT_EQ(jsonOf(file)["settings"]["photons"], 77);
+    EXPECT_EQ(jsonOf(file)["exposure"], -2.0);
+    EXPECT_EQ(jsonOf(file)["size"], (nlohmann::json{160, 90}));
+    expectQuietEnd(*startView({"--frames", "2", "--radius", "0.5", "--settings", file}));
+    EXPECT_EQ(jsonOf(file)["settings"]["photons"], 77) << "as it was";
+    EXPECT_EQ(jsonOf(file)["settings"]["radius"], 0.5) << "as it was asked for";
+    EXPECT_EQ(jsonOf(file)["size"], (nlohmann::json{160, 90}));
+}
+
+TEST_F(ViewOverlay, RefusesFilesThatAreNone) {
+    const auto write = [&](const char* name, const std::string& text) {
+        EXPECT_TRUE(core::writeFile(folder_ / name, text).ok());
+        return (folder_ / name).string();
+    };
+    const std::string wrong = write("a.json", R"({"settings":{"photons":-1}})");
+    const auto view = startView({"--settings", wrong});
+    expectFailure(view->wait(kViewSeconds), "a.json: settings.photons");
+    EXPECT_EQ(textOf(wrong), R"({"settings":{"photons":-1}})");
+    const auto replay = startView({"--replay", write("log", "no log")});
+    expectFailure(replay->wait(kViewSeconds), "log:1:");
+    expectWrongCall(lampyris({"view", "cornell", "--record", "a", "--replay", "b"}), "--replay");
+}
+
+}  // namespace
+}  // namespace lampyris::test
