@@ -6,8 +6,6 @@
 #include "camera_choice.h"
 #include "core/log.h"
 #include "open_world.h"
-#include "scene/extract.h"
-#include "scene/motion.h"
 
 namespace lampyris::sandbox {
 namespace {
@@ -73,16 +71,12 @@ core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options,
     TRY(loop->world_, openWorld(options));
     loop->renderer_.emplace(*loop->executor_);
     TRY_VOID(loop->follow());
-    TRY(loop->request.camera, chooseCamera(loop->snapshot_, options.camera));
+    TRY(loop->request.camera, chooseCamera(loop->snapshot(), options.camera));
     return loop;
 }
 
 core::Result<void> FrameLoop::follow() {
-    scene::advanceTo(world_, seconds, seen_);
-    snapshot_ = scene::extract(world_, snapshot_, seen_);
-    seen_ = world_.advance();
-    world_.forgetRemovals(seen_);
-    return renderer_->update(snapshot_);
+    return renderer_->update(snapshot_.follow(world_, seconds));
 }
 
 core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, const std::string& readBack,

@@ -11,7 +11,7 @@
 #include "gpu/device.h"
 #include "options.h"
 #include "photon_gi/renderer.h"
-#include "scene/snapshot.h"
+#include "scene/live_snapshot.h"
 
 namespace lampyris::sandbox {
 
@@ -66,7 +66,7 @@ class FrameLoop {
     [[nodiscard]] photon_gi::Renderer& renderer() { return *renderer_; }
     [[nodiscard]] ecs::World& world() { return world_; }
     /// As of the last follow().
-    [[nodiscard]] const scene::SceneSnapshot& snapshot() const { return snapshot_; }
+    [[nodiscard]] const scene::SceneSnapshot& snapshot() const { return snapshot_.get(); }
 
  private:
     std::unique_ptr<gpu::Device> device_;
@@ -74,8 +74,7 @@ class FrameLoop {
     std::optional<photon_gi::Renderer> renderer_;
     std::string outputNode_;
     ecs::World world_;
-    scene::SceneSnapshot snapshot_;
-    ecs::Tick seen_ = 0;
+    scene::LiveSnapshot snapshot_;
     double startSeconds_ = 0.0;
     double timestep_ = 0.0;
 };

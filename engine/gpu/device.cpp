@@ -31,6 +31,24 @@ core::Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& option
     return device;
 }
 
+core::Result<std::unique_ptr<Device>> Device::adopt(const AdoptedDevice& made) {
+    TRY_VOID(checkAdopted(made));
+    auto device =
+        std::unique_ptr<Device>{new Device{Instance::adopt(made.instance, made.debugUtils)}};
+    device->adopted_ = true;
+    device->physical_ = made.physical;
+    device->queueFamily_ = made.queueFamily;
+    device->device_ = made.device;
+    device->queue_ = made.queue;
+    device->presentable_ = hasExtension(*made.madeWith, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    device->info_ = readDeviceInfo(made.physical, made.queueFamily);
+    FeatureChain enabled;
+    readFeatures(*made.madeWith, enabled);
+    device->info_.features = enabledFeatures(enabled);
+    TRY_VOID(device->begin());
+    return device;
+}
+
 core::Result<void> Device::createDevice(const DeviceOptions& options) {
     TRY(const ChosenDevice chosen, chooseDevice(instance_.get(), options.substring));
     physical_ = chosen.physical;
@@ -54,17 +72,23 @@ core::Result<void> Device::createDevice(const DeviceOptions& options) {
         TRY_VOID(requireSwapchain(physical_, info_.name));
         info.enabledExtensionCount = 1;
         info.ppEnabledExtensionNames = &swapchain;
+        presentable_ = true;
     }
     VK_TRY(vkCreateDevice(physical_, &info, nullptr, &device_));
     vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
+    TRY_VOID(begin());
+    gpu::setName(*this, VK_OBJECT_TYPE_DEVICE, device_, "device");
+    gpu::setName(*this, VK_OBJECT_TYPE_QUEUE, queue_, "queue");
+    return {};
+}
+
+core::Result<void> Device::begin() {
     if (instance_.canName())
         setObjectName_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
             vkGetDeviceProcAddr(device_, "vkSetDebugUtilsObjectNameEXT"));
     memory_ =
         std::make_unique<MemoryAllocator>(physical_, device_, info_.limits.maxMemoryAllocationSize);
     TRY(pipelineCache_, PipelineCache::open(physical_, device_, defaultCacheFolder()));
-    gpu::setName(*this, VK_OBJECT_TYPE_DEVICE, device_, "device");
-    gpu::setName(*this, VK_OBJECT_TYPE_QUEUE, queue_, "queue");
     return {};
 }
 
@@ -76,7 +100,7 @@ Device::~Device() {
     if (!saved.ok()) core::logDebug("pipeline cache not kept: {}", saved.error().message);
     pipelineCache_ = {};
     memory_.reset();
-    vkDestroyDevice(device_, nullptr);
+    if (!adopted_) vkDestroyDevice(device_, nullptr);
 }
 
 void Device::setName(VkObjectType type, uint64_t object, const std::string& name) const {

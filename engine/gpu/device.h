@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "gpu/adopted_device.h"
 #include "gpu/device_info.h"
 #include "gpu/instance.h"
 #include "gpu/memory.h"
@@ -26,6 +27,10 @@ class Device {
  public:
     /// An Error lists the devices where none matches, or names the missing layer, feature or limit.
     static core::Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
+    /// A device that somebody else made and keeps: this only uses it, and destroys nothing of it.
+    /// An Error names what it lacks. waitIdle() waits for all its queues, so nobody may submit to
+    /// any of them meanwhile.
+    static core::Result<std::unique_ptr<Device>> adopt(const AdoptedDevice& made);
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -45,7 +50,9 @@ class Device {
     /// Waits until the device has done all it was given.
     core::Result<void> waitIdle();
 
-    /// Whether the validation layer watches.
+    /// Whether it can show images in a window.
+    [[nodiscard]] bool presentable() const { return presentable_; }
+    /// Whether the validation layer watches, and its messages are kept here.
     [[nodiscard]] bool validated() const { return instance_.log() != nullptr; }
     /// Warnings and errors of the validation layer so far; empty without validation.
     [[nodiscard]] std::vector<std::string> validationMessages() const;
@@ -54,12 +61,16 @@ class Device {
  private:
     explicit Device(Instance instance) : instance_(std::move(instance)) {}
     core::Result<void> createDevice(const DeviceOptions& options);
+    /// What every device has, whoever made it.
+    core::Result<void> begin();
 
     Instance instance_;
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;
     uint32_t queueFamily_ = 0;
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
+    bool adopted_ = false;
+    bool presentable_ = false;
     DeviceInfo info_;
     std::unique_ptr<MemoryAllocator> memory_;
     PipelineCache pipelineCache_;

@@ -33,15 +33,18 @@ int rank(VkPhysicalDeviceType type) {
     }
 }
 
-std::optional<uint32_t> findQueueFamily(VkPhysicalDevice physical) {
+std::vector<VkQueueFamilyProperties> queueFamilies(VkPhysicalDevice physical) {
     uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-    constexpr VkQueueFlags kWanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    return families;
+}
+
+std::optional<uint32_t> findQueueFamily(VkPhysicalDevice physical) {
+    const auto count = static_cast<uint32_t>(queueFamilies(physical).size());
     for (uint32_t i = 0; i < count; ++i)
-        if ((families[i].queueFlags & kWanted) == kWanted && families[i].timestampValidBits > 0)
-            return i;
+        if (suits(physical, i)) return i;
     return std::nullopt;
 }
 
@@ -68,23 +71,38 @@ core::Result<std::vector<Candidate>> listDevices(VkInstance instance) {
 }
 
 core::Result<ChosenDevice> qualify(const Candidate& candidate) {
-    const char* name = candidate.properties.deviceName;
-    if (candidate.properties.apiVersion < VK_API_VERSION_1_3)
-        return core::error("{}: has Vulkan {}.{}, needs 1.3", name,
-                           VK_API_VERSION_MAJOR(candidate.properties.apiVersion),
-                           VK_API_VERSION_MINOR(candidate.properties.apiVersion));
-    const auto missing = missingFeature(candidate.physical);
-    if (missing) return core::error("{}: lacks the feature {}", name, *missing);
+    TRY_VOID(checkPhysical(candidate.physical));
     const auto family = findQueueFamily(candidate.physical);
     if (!family)
         return core::error(
             "{}: has no queue for graphics and compute with timestamps "
             "(timestampValidBits)",
-            name);
+            candidate.properties.deviceName);
     return ChosenDevice{candidate.physical, *family};
 }
 
 }  // namespace
+
+core::Result<void> checkPhysical(VkPhysicalDevice physical) {
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(physical, &properties);
+    const char* name = properties.deviceName;
+    if (properties.apiVersion < VK_API_VERSION_1_3)
+        return core::error("{}: has Vulkan {}.{}, needs 1.3", name,
+                           VK_API_VERSION_MAJOR(properties.apiVersion),
+                           VK_API_VERSION_MINOR(properties.apiVersion));
+    if (const auto missing = missingFeature(physical))
+        return core::error("{}: lacks the feature {}", name, *missing);
+    return {};
+}
+
+bool suits(VkPhysicalDevice physical, uint32_t queueFamily) {
+    const std::vector<VkQueueFamilyProperties> families = queueFamilies(physical);
+    constexpr VkQueueFlags kWanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    return queueFamily < families.size() &&
+           (families[queueFamily].queueFlags & kWanted) == kWanted &&
+           families[queueFamily].timestampValidBits > 0;
+}
 
 core::Result<ChosenDevice> chooseDevice(VkInstance instance, std::string_view substring) {
     TRY(const auto candidates, listDevices(instance));

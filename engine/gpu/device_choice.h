@@ -19,4 +19,9 @@ struct ChosenDevice {
 /// the devices where none matches, or names the feature or limit that the best one lacks.
 core::Result<ChosenDevice> chooseDevice(VkInstance instance, std::string_view substring);
 
+/// Whether the engine can run on it; an Error names the version, feature or limit that it lacks.
+core::Result<void> checkPhysical(VkPhysicalDevice physical);
+/// Whether queues of the family do graphics and compute, and write timestamps.
+[[nodiscard]] bool suits(VkPhysicalDevice physical, uint32_t queueFamily);
+
 }  // namespace lampyris::gpu

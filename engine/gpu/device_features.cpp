@@ -67,21 +67,29 @@ FeatureChain::FeatureChain() {
 std::optional<std::string> missingFeature(VkPhysicalDevice physical) {
     FeatureChain there;
     vkGetPhysicalDeviceFeatures2(physical, &there.core);
+    const auto missing = missingFeature(there);
+    return missing ? missing : missingSubgroupOperation(physical);
+}
+
+std::optional<std::string> missingFeature(FeatureChain& enabled) {
     for (const Feature& feature : kFeatures)
-        if (feature.required && feature.in(there) != VK_TRUE) return feature.name;
-    return missingSubgroupOperation(physical);
+        if (feature.required && feature.in(enabled) != VK_TRUE) return feature.name;
+    return std::nullopt;
+}
+
+std::vector<std::string> enabledFeatures(FeatureChain& enabled) {
+    std::vector<std::string> names;
+    for (const Feature& feature : kFeatures)
+        if (feature.in(enabled) == VK_TRUE) names.emplace_back(feature.name);
+    return names;
 }
 
 std::vector<std::string> chooseFeatures(VkPhysicalDevice physical, FeatureChain& chain) {
     FeatureChain there;
     vkGetPhysicalDeviceFeatures2(physical, &there.core);
-    std::vector<std::string> names;
-    for (const Feature& feature : kFeatures) {
-        if (feature.in(there) != VK_TRUE) continue;
-        feature.in(chain) = VK_TRUE;
-        names.emplace_back(feature.name);
-    }
-    return names;
+    for (const Feature& feature : kFeatures)
+        if (feature.in(there) == VK_TRUE) feature.in(chain) = VK_TRUE;
+    return enabledFeatures(there);
 }
 
 }  // namespace lampyris::gpu

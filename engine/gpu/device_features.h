@@ -27,8 +27,14 @@ struct FeatureChain {
 
 /// The first required feature that the device lacks, or nothing.
 [[nodiscard]] std::optional<std::string> missingFeature(VkPhysicalDevice physical);
+/// The first required feature that is off in the chain, or nothing.
+[[nodiscard]] std::optional<std::string> missingFeature(FeatureChain& enabled);
+/// The names of all features we know of that are on in the chain.
+[[nodiscard]] std::vector<std::string> enabledFeatures(FeatureChain& enabled);
 
-/// Turns on what is required, and what is optional and there. Gives their names.
+/// Turns on what is required, and what is optional and there; leaves all else in the chain as it
+/// is. Gives their names. No device extension is needed but VK_KHR_swapchain, to show images in a
+/// window.
 std::vector<std::string> chooseFeatures(VkPhysicalDevice physical, FeatureChain& chain);
 
 }  // namespace lampyris::gpu

@@ -83,14 +83,23 @@ core::Result<Instance> Instance::create(const InstanceOptions& options) {
     return instance;
 }
 
+Instance Instance::adopt(VkInstance instance, bool canName) {
+    Instance adopted;
+    adopted.instance_ = instance;
+    adopted.adopted_ = true;
+    adopted.canName_ = canName;
+    return adopted;
+}
+
 Instance::Instance(Instance&& other) noexcept
     : instance_(std::exchange(other.instance_, VK_NULL_HANDLE)),
+      adopted_(other.adopted_),
       log_(std::move(other.log_)),
       canName_(other.canName_) {}
 
 Instance::~Instance() {
     log_.reset();
-    if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
+    if (instance_ != VK_NULL_HANDLE && !adopted_) vkDestroyInstance(instance_, nullptr);
 }
 
 }  // namespace lampyris::gpu

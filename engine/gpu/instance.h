@@ -19,6 +19,8 @@ struct InstanceOptions {
 class Instance {
  public:
     static core::Result<Instance> create(const InstanceOptions& options);
+    /// One that somebody else made and keeps; `canName`: it has VK_EXT_debug_utils.
+    static Instance adopt(VkInstance instance, bool canName);
     Instance(Instance&& other) noexcept;
     Instance& operator=(Instance&&) = delete;
     ~Instance();
@@ -32,6 +34,7 @@ class Instance {
  private:
     Instance() = default;
     VkInstance instance_ = VK_NULL_HANDLE;
+    bool adopted_ = false;
     std::unique_ptr<ValidationLog> log_;
     bool canName_ = false;
 };

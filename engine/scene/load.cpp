@@ -13,6 +13,7 @@
 #include "scene/instantiate.h"
 #include "scene/library.h"
 #include "scene/motion.h"
+#include "scene/spawn.h"
 #include "scene/systems/world_transforms.h"
 
 namespace lampyris::scene {
@@ -45,8 +46,7 @@ void warnOfPlacements(const ecs::World& world, const std::string& path) {
 
 core::Result<ecs::World> readFile(const std::string& path) {
     TRY(assets::Model model, assets::loadGltf(path));
-    ecs::World world;
-    world.setResource(Library{});
+    ecs::World world = newWorld();
     instantiate(world, std::move(model), path);
     advanceTo(world, 0.0, 0);
     if (world.count<MeshInstance>() == 0) return core::error("{}: no mesh to draw", path);

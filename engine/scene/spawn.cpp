@@ -2,7 +2,16 @@
 
 #include <utility>
 
+#include "scene/motion.h"
+
 namespace lampyris::scene {
+
+ecs::World newWorld() {
+    ecs::World world;
+    world.setResource(Library{});
+    world.setResource(Motion{});
+    return world;
+}
 
 ecs::Entity spawn(ecs::World& world, std::string name, const Transform& transform) {
     const ecs::Entity entity = world.create();

@@ -9,6 +9,9 @@
 
 namespace lampyris::scene {
 
+/// A world with an empty Library, and a Motion without systems.
+[[nodiscard]] ecs::World newWorld();
+
 /// An entity with a name and a transform.
 ecs::Entity spawn(ecs::World& world, std::string name, const Transform& transform = {});
 

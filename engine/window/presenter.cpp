@@ -73,6 +73,9 @@ VkRect2D fitted(VkExtent2D picture, VkExtent2D window) {
 }
 
 core::Result<Presenter> Presenter::create(gpu::Device& device, Window& window, Encoding encoding) {
+    if (!device.presentable())
+        return core::error("{}: was not made to show images in a window ({})", device.info().name,
+                           VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     Presenter presenter{device, window, encoding};
     TRY(presenter.surface_, window.createSurface(device.instance()));
     for (Slot& slot : presenter.slots_) {
@@ -93,6 +96,18 @@ Presenter::Presenter(Presenter&& other) noexcept
       slots_(std::move(other.slots_)),
       next_(other.next_),
       stale_(other.stale_) {}
+
+Presenter& Presenter::operator=(Presenter&& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(window_, other.window_);
+    std::swap(encoding_, other.encoding_);
+    std::swap(surface_, other.surface_);
+    std::swap(swapchain_, other.swapchain_);
+    std::swap(slots_, other.slots_);
+    std::swap(next_, other.next_);
+    std::swap(stale_, other.stale_);
+    return *this;
+}
 
 Presenter::~Presenter() {
     if (surface_ == VK_NULL_HANDLE) return;

@@ -35,10 +35,11 @@ struct Canvas {
 
 class Presenter {
  public:
-    /// The device (made with DeviceOptions::presentable) and the window must outlive it.
+    /// The device and the window must outlive it. An Error where the device was made without
+    /// DeviceOptions::presentable, or adopted without VK_KHR_swapchain.
     static core::Result<Presenter> create(gpu::Device& device, Window& window, Encoding encoding);
     Presenter(Presenter&& other) noexcept;
-    Presenter& operator=(Presenter&&) = delete;
+    Presenter& operator=(Presenter&& other) noexcept;
     ~Presenter();
 
     /// Blits `source`, which is in the layout TRANSFER_SRC_OPTIMAL (where the executor leaves a

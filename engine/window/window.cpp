@@ -12,6 +12,12 @@
 namespace lampyris::window {
 namespace {
 
+int openWindows = 0;  // GLFW's end is the end of them all; it is used from one thread alone
+
+void terminateUnused() {
+    if (openWindows == 0) glfwTerminate();
+}
+
 std::string glfwMessage() {
     const char* description = nullptr;
     glfwGetError(&description);
@@ -59,13 +65,14 @@ core::Result<Window> Window::create(const WindowOptions& options) {
                          options.title.c_str(), nullptr, nullptr);
     if (state->window == nullptr) {
         const std::string why = glfwMessage();
-        glfwTerminate();
+        terminateUnused();
         return core::error("cannot open a window: {}", why);
     }
     return Window{std::move(state)};
 }
 
 Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {
+    ++openWindows;
     GLFWwindow* window = state_->window;
     glfwSetWindowUserPointer(window, state_.get());
     glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int, int action, int) {
@@ -92,11 +99,17 @@ Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {
 
 Window::Window(Window&&) noexcept = default;
 
+Window& Window::operator=(Window&& other) noexcept {
+    std::swap(state_, other.state_);
+    return *this;
+}
+
 Window::~Window() {
     if (state_ == nullptr) return;
     watchX11Errors();
     glfwDestroyWindow(state_->window);
-    glfwTerminate();
+    --openWindows;
+    terminateUnused();
 }
 
 void Window::poll() {

@@ -70,7 +70,7 @@ class Window {
     /// An Error says "no display" where there is none.
     static core::Result<Window> create(const WindowOptions& options);
     Window(Window&&) noexcept;
-    Window& operator=(Window&&) = delete;
+    Window& operator=(Window&& other) noexcept;
     ~Window();
 
     /// Takes in what happened. Call once a frame, on the thread that made the window.

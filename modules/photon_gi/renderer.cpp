@@ -216,6 +216,7 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
     for (const graph::Buffer buffer : runOptions.readBackBuffers) frame.output(buffer);
 
     Outcome outcome;
+    outcome.radiance = drawn.radiance;
     options.memory = &executor_->memoryModel();
     TRY(outcome.graph, graph::compile(frame, options));
     TRY(auto result, executor_->run(frame, outcome.graph, runOptions));
@@ -242,6 +243,16 @@ core::Result<Renderer::Outcome> Renderer::run(graph::Frame& frame, const DrawnFr
         guide_.learn(plan_.split, importance);
     lastReport_ = outcome.report;
     return outcome;
+}
+
+core::Result<Renderer::Outcome> Renderer::draw(const scene::SceneSnapshot& snapshot,
+                                               const FrameRequest& request,
+                                               const std::string& outputNode) {
+    TRY_VOID(update(snapshot));
+    graph::Frame frame;
+    TRY(const DrawnFrame drawn, declare(frame, request));
+    frame.output(drawn.radiance);
+    return run(frame, drawn, outputNode);
 }
 
 }  // namespace lampyris::photon_gi

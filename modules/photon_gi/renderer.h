@@ -18,9 +18,9 @@ namespace lampyris::photon_gi {
 
 struct FrameRequest {
     graph::Extent size{1280, 720};
-    Settings settings;
+    Settings settings{};
     uint64_t frameNumber = 0;
-    scene::SnapshotCamera camera;
+    scene::SnapshotCamera camera{};
     /// No published image but "final" will be asked for: frames may then be shown again whole.
     bool finalAlone = false;
 };
@@ -53,7 +53,8 @@ class Renderer {
         execute::FrameStatistics statistics;
         graph::CompiledGraph graph;
         FrameReport report;
-        core::Image image;  ///< what `outputNode` named; empty where it was empty
+        core::Image image;      ///< what `outputNode` named; empty where it was empty
+        graph::Image radiance;  ///< the picture on the device, for Executor::outputImage
     };
     /// Compiles and runs a declared frame and reads its report back; grows the room where it was
     /// too small.
@@ -62,6 +63,9 @@ class Renderer {
 
     /// The next frame begins anew: what earlier ones left was made by other shaders.
     void forget();
+    /// update(), declare() and run() for a program that adds no nodes of its own.
+    core::Result<Outcome> draw(const scene::SceneSnapshot& snapshot, const FrameRequest& request,
+                               const std::string& outputNode = {});
 
     [[nodiscard]] const accel::AccelOnGpu& accel() const { return accel_; }
     [[nodiscard]] const residency::SceneOnGpu& scene() const { return scene_; }

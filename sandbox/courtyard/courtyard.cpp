@@ -25,8 +25,7 @@ void spawnCameras(ecs::World& world) {
 }  // namespace
 
 ecs::World makeCourtyard(uint32_t seed) {
-    ecs::World world;
-    world.setResource(scene::Library{});
+    ecs::World world = scene::newWorld();
     auto& library = world.resource<scene::Library>();
     const Paints paints = makePaints(library);
     world.setResource(makeFigures(library));

@@ -189,7 +189,10 @@ void Viewer::takeKeys(const Moment& moment) {
     if (in.wasPressed(window::kKeyF1)) overlay_->show(!overlay_->visible());
     if (in.wasPressed(window::kKeyF1 + 10) && replayed_.empty())
         window_.setFullScreen(!window_.fullScreen());
-    if (in.wasPressed(window::kKeyF1 + 11)) play_.screenshot = true;
+    if (in.wasPressed(window::kKeyF1 + 11)) {
+        play_.screenshot = true;
+        withOverlay_ = in.shift();
+    }
     if (overlay_->typing()) return;
     if (in.wasPressed(' ')) play_.paused = !play_.paused;
     if (in.wasPressed('.')) play_.step = play_.paused;
@@ -286,7 +289,7 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
     const auto addNodes = [&](graph::Frame& frame, const photon_gi::DrawnFrame& drawn) {
         shown = addDisplay(frame, drawn.radiance, state_.display);
         plain = shown;
-        if (saves || watch_) {
+        if ((saves && !withOverlay_) || watch_) {
             auto node = frame.transfer("screenshot");
             plain = node.copy(shown, frame.image("screenshot", frame.desc(shown)));
             frame.output(plain);
@@ -306,6 +309,7 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
             const graph::Image picture = panels_->look.addNode(frame);
             shown = overlay_->addNode(frame, shown, picture);
         }
+        if (saves && withOverlay_) frame.publish("screenshot", shown);
         frame.output(shown);
     };
     // What looks into the frame needs one that is drawn, not one that is shown again.

@@ -80,6 +80,7 @@ class Viewer {
     bool handlesHot_ = false;
     bool dragsCamera_ = false;
     double draggedPixels_ = 0.0;
+    bool withOverlay_ = false;  ///< the screenshot that is asked for
 
     FrameRate rate_;
     Measured measured_;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "scene/library.h"
+#include "scene/spawn.h"
 #include "scene/systems/world_transforms.h"
 
 namespace lampyris::scene {
@@ -30,8 +30,7 @@ core::Result<ecs::World> builtinScene(std::string_view name) {
         return core::error("\"{}\" is neither a .gltf or .glb file nor a built-in scene ({})", name,
                            fmt::join(kNames, ", "));
     }
-    ecs::World world;
-    world.setResource(Library{});
+    ecs::World world = newWorld();
     kFillers[static_cast<size_t>(found - kNames.begin())](world);
     updateWorldTransforms(world);
     return world;

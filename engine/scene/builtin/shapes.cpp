@@ -99,6 +99,14 @@ void addBox(assets::Mesh& mesh, const glm::mat4& placement, const glm::vec3& hal
     }
 }
 
+assets::Mesh boxMesh(const glm::vec3& halfExtent) {
+    assets::Mesh mesh;
+    mesh.name = "box";
+    addBox(mesh, glm::mat4(1.0f), halfExtent);
+    assets::updateBounds(mesh);
+    return mesh;
+}
+
 void addRoundedBox(assets::Mesh& mesh, const glm::mat4& placement, const RoundedBox& box) {
     const glm::vec3 inner = box.halfExtent - box.edgeRadius;
     const float smallestInner = glm::min(inner.x, glm::min(inner.y, inner.z));

@@ -21,6 +21,9 @@ void addQuad(assets::Mesh& mesh, const glm::vec3& a, const glm::vec3& b, const g
 /// A box of six quads, centred at the placement's origin. `placement` is rigid.
 void addBox(assets::Mesh& mesh, const glm::mat4& placement, const glm::vec3& halfExtent);
 
+/// A box around the origin as a mesh of its own.
+[[nodiscard]] assets::Mesh boxMesh(const glm::vec3& halfExtent);
+
 /// A box with rounded edges; a sphere where all half extents are `edgeRadius`.
 /// Has 12 (2 · cornerSteps + flatSteps)² triangles; without flat steps the box must be a sphere.
 struct RoundedBox {

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 #include "execute/executor.h"
 #include "support/gpu_test.h"
@@ -154,6 +155,27 @@ TEST_F(WindowTest, FollowsItsSize) {
         EXPECT_EQ(window.framebufferSize().width, size.width);
         EXPECT_EQ(need(presenter.present(image)), window::Presented::Shown);
     }
+}
+
+TEST_F(WindowTest, AnotherOneTakesItsPlace) {
+    auto window = need(window::Window::create({"first", 64, 64}));
+    auto presenter = need(window::Presenter::create(*device_, window, window::Encoding::Display));
+    Colour colour{*device_, {64, 64}};
+    const gpu::Image& image = colour.fill({0.0f, 0.0f, 1.0f, 1.0f});
+    EXPECT_EQ(need(presenter.present(image)), window::Presented::Shown);
+    auto next = need(window::Window::create({"second", 128, 64}));
+    presenter = need(window::Presenter::create(*device_, next, window::Encoding::Display));
+    { const window::Window old = std::exchange(window, std::move(next)); }
+    EXPECT_EQ(window.framebufferSize().width, 128u);
+    window.poll();
+    EXPECT_FALSE(window.shouldClose());
+}
+
+TEST_F(WindowTest, RefusesADeviceThatCannotShow) {
+    auto window = need(window::Window::create({"refused", 64, 64}));
+    const auto device = need(gpu::Device::create({}));
+    const auto none = window::Presenter::create(*device, window, window::Encoding::Linear);
+    EXPECT_NE(test::errorOf(none).find("VK_KHR_swapchain"), std::string::npos);
 }
 
 TEST_F(WindowTest, LetsOthersDrawOverThePicture) {

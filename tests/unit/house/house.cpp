@@ -115,7 +115,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
         {"photon_gi", {"photons", "deferred", "graph"}},
         {"reference", {"scene", "core"}},
         {"evaluation", {"core"}},
-        {"overlay", {"modules", "window", "execute", "gpu", "ecs"}},
+        {"overlay", {"modules", "window", "execute", "shader_reload", "gpu", "ecs"}},
         // shaders/: shared/ is open to all; embed/ is the build-time tool, and its reflection
         {"shared", {"math"}},
         {"lib", {}},

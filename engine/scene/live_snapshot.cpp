@@ -1,0 +1,16 @@
+#include "scene/live_snapshot.h"
+
+#include "scene/extract.h"
+#include "scene/motion.h"
+
+namespace lampyris::scene {
+
+const SceneSnapshot& LiveSnapshot::follow(ecs::World& world, double seconds) {
+    advanceTo(world, seconds, seen_);
+    snapshot_ = extract(world, snapshot_, seen_);
+    seen_ = world.advance();
+    world.forgetRemovals(seen_);
+    return snapshot_;
+}
+
+}  // namespace lampyris::scene

@@ -1,0 +1,25 @@
+/// \file A world's snapshot, kept up to date frame by frame: the clock, extract, and the ticks
+/// between.
+#pragma once
+
+#include "ecs/world.h"
+#include "scene/snapshot.h"
+
+namespace lampyris::scene {
+
+/// Remembers what it has seen of one world. Whoever has it drives that world's ticks: no other
+/// reader of changes may be behind it.
+class LiveSnapshot {
+ public:
+    /// Brings the world to a time (advanceTo), takes over what changed since the last call, and
+    /// begins a new tick. The world is the same one at every call.
+    const SceneSnapshot& follow(ecs::World& world, double seconds);
+    /// As of the last follow(); empty before the first.
+    [[nodiscard]] const SceneSnapshot& get() const { return snapshot_; }
+
+ private:
+    SceneSnapshot snapshot_;
+    ecs::Tick seen_ = 0;
+};
+
+}  // namespace lampyris::scene

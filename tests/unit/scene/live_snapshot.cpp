@@ -1,0 +1,40 @@
+#include "scene/live_snapshot.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/builtin/shapes.h"
+#include "scene/motion.h"
+#include "scene/spawn.h"
+
+namespace lampyris::scene {
+namespace {
+
+void rise(ecs::Write<Transform> place, ecs::With<SphereLight>, const FrameTime& time) {
+    place->translation.y = static_cast<float>(time.seconds);
+}
+
+TEST(LiveSnapshot, FollowsAWorldFromItsFirstFrameOn) {
+    ecs::World world = newWorld();
+    const ecs::Entity box = spawnMesh(world, builtin::boxMesh({1, 2, 3}), {});
+    spawnLight(world, "lamp", {}, {0.1f, glm::vec3(1.0f)});
+    world.resource<Motion>().systems.add("rise", rise);
+    LiveSnapshot live;
+    EXPECT_TRUE(live.get().instances.empty());
+
+    const SceneSnapshot first = live.follow(world, 2.0);
+    ASSERT_EQ(first.instances.size(), 1u);
+    EXPECT_EQ(first.boundsWorld.upper, glm::vec3(1, 2, 3));
+    EXPECT_EQ(first.lights.at(0).positionWorld.y, 2.0f);
+
+    const SceneSnapshot moved = live.follow(world, 3.0);
+    EXPECT_EQ(moved.lights.at(0).positionWorld.y, 3.0f);
+    EXPECT_GT(moved.lightVersion, first.lightVersion);
+    EXPECT_EQ(moved.geometryVersion, first.geometryVersion);
+
+    world.destroy(box);
+    EXPECT_TRUE(live.follow(world, 3.0).instances.empty());
+    EXPECT_TRUE(world.removedSince<MeshInstance>(0).empty()) << "what was seen is forgotten";
+}
+
+}  // namespace
+}  // namespace lampyris::scene
