@@ -129,10 +129,10 @@ std::vector<ShaderStatus> ShaderReloader::update(execute::Executor& executor) {
             return settled;
         settled = p.putIn(executor);
     }
+    p.follow(executor);
     const auto now = Clock::now();
     if (now - p.lastLook < kBetweenLooks) return settled;
     p.lastLook = now;
-    p.follow(executor);
     p.look();
     return settled;
 }

@@ -50,12 +50,18 @@ void SourceFiles::scan(const std::string& file) {
     const auto includes = found.includes;
     files_.insert_or_assign(file, std::move(found));
     for (const std::string& include : includes)
-        if (!files_.contains(include)) scan(include);
+        if (!files_.contains(include)) meet(include);
+}
+
+void SourceFiles::meet(const std::string& file) {
+    scan(file);
+    Stamp& stamp = files_.at(file).stamp;
+    if (stamp.time > begun_) stamp = {};  // which is not what changed() will find
 }
 
 void SourceFiles::follow(const std::string& file) {
     if (!followed_.insert(file).second || files_.contains(file)) return;
-    scan(file);
+    meet(file);
 }
 
 bool SourceFiles::reaches(const std::string& file, const std::set<std::string>& wanted,

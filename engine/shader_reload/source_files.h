@@ -16,7 +16,8 @@ class SourceFiles {
  public:
     explicit SourceFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// From now on changed() tells of this shader's file.
+    /// From now on changed() tells of this shader's file; at once where it, or what it includes,
+    /// was written since this was made.
     void follow(const std::string& file);
     /// Those followed whose own file, or one that it includes, changed since it was last asked.
     /// Costs a look at each file's time.
@@ -35,10 +36,13 @@ class SourceFiles {
     [[nodiscard]] Stamp stampOf(const std::string& file) const;
     /// Reads its #include lines, and follows what they name.
     void scan(const std::string& file);
+    /// As scan(), of a file that was not known.
+    void meet(const std::string& file);
     [[nodiscard]] bool reaches(const std::string& file, const std::set<std::string>& wanted,
                                std::set<std::string>& seen) const;
 
     std::filesystem::path folder_;
+    std::filesystem::file_time_type begun_ = std::filesystem::file_time_type::clock::now();
     std::set<std::string> followed_;
     std::map<std::string, File> files_;
 };
