@@ -25,6 +25,7 @@ struct BenchCall {
 core::Result<void> benchNodes(
     const BenchCall& call);  ///< frame rate and every node, both pipelines
 core::Result<void> benchBinning(const BenchCall& call);  ///< photons to tiles: full beside thesis
+core::Result<void> benchBudget(const BenchCall& call);   ///< a budget kept under steps of load
 core::Result<void> benchRays(const BenchCall& call);     ///< the shader's traversal beside Embree's
 core::Result<void> benchAccel(const BenchCall& call);    ///< BVH builds and memory, a scene each
 core::Result<void> benchRefit(const BenchCall& call);    ///< what deforming meshes cost the BVH

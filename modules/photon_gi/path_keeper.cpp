@@ -28,7 +28,7 @@ std::vector<uint32_t> changedRanges(const photons::PathSplit& split,
 
 bool PathKeeper::goesOn(const Settings& settings, const Now& now, photons::PathChoice& choice) {
     const bool still = now.changes.none();
-    if (!valid_ || settings_ != settings || now.changes.everything) return false;
+    if (!valid_ || !pathsGoOn(settings_, settings) || now.changes.everything) return false;
     if (now.changes.lightsCameOrWent || now.changes.instancesCameOrWent) return false;
     if (lights_.size() != now.lights.size()) return false;
     if (settings.reseed && (still || age_ >= kMostAge)) return false;

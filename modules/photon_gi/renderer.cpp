@@ -56,13 +56,6 @@ std::vector<float> readReport(const DrawnFrame& drawn,
 
 }  // namespace
 
-uint32_t frameSeed(const Settings& settings, uint64_t frameNumber) {
-    if (!settings.reseed) return settings.seed;
-    // One odd multiplier each, so that neighbouring frames and seeds share nothing (the hash proper
-    // is TEA's).
-    return settings.seed * 0x9E3779B1u + static_cast<uint32_t>(frameNumber) * 0x85EBCA77u;
-}
-
 Renderer::Renderer(execute::Executor& executor)
     : executor_(&executor), scene_(executor.device()), accel_(scene_), keeper_(executor.device()) {}
 
@@ -100,24 +93,25 @@ core::Result<void> Renderer::makeRoom(const FrameRequest& request) {
     return {};
 }
 
-bool Renderer::sameAsDrawn(const shared::View& view, const Settings& settings) const {
-    return drawn_.whole && changes_.none() && drawn_.settings == settings &&
+bool Renderer::seenAsDrawn(const shared::View& view) const {
+    return drawn_.whole && changes_.none() &&
            drawn_.size == graph::Extent{view.width, view.height} &&
            drawn_.worldToClip == view.worldToClip;
 }
 
 bool Renderer::settled(const shared::View& view, const FrameRequest& request) const {
-    return request.finalAlone && keepsUnchanged(request.settings) &&
-           sameAsDrawn(view, request.settings) && stillFrames_ > historyFrames(request.settings);
+    return request.finalAlone && keepsUnchanged(request.settings) && seenAsDrawn(view) &&
+           drawn_.settings == request.settings && stillFrames_ > historyFrames(request.settings);
 }
 
 Past Renderer::recall(const shared::View& view, const Settings& settings) {
     Past past;
     past.known =
         executor_->history().known(kHistoryMean, historyMean(view, settings.gatherDivisor));
-    past.still = keepsUnchanged(settings) && sameAsDrawn(view, settings);
-    stillFrames_ = past.still ? stillFrames_ + 1 : 0;
-    past.same = drawn_.whole && drawn_.settings == settings;
+    past.still =
+        keepsUnchanged(settings) && seenAsDrawn(view) && sameDirectLight(drawn_.settings, settings);
+    past.same = drawn_.whole && meanGoesOn(drawn_.settings, settings);
+    stillFrames_ = past.still && past.same ? stillFrames_ + 1 : 0;
     past.worldToClip = drawn_.worldToClip;
     if (!past.same)
         framesSinceChange_ = settings.history;  // nothing is remembered

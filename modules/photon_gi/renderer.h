@@ -82,7 +82,8 @@ class Renderer {
     [[nodiscard]] Past recall(const shared::View& view, const Settings& settings);
     /// Whether the next frame would only repeat the last.
     [[nodiscard]] bool settled(const shared::View& view, const FrameRequest& request) const;
-    [[nodiscard]] bool sameAsDrawn(const shared::View& view, const Settings& settings) const;
+    /// Whether neither scene nor view changed since the last frame.
+    [[nodiscard]] bool seenAsDrawn(const shared::View& view) const;
     /// Gives the next frame the room that this one lacked. True where something was dropped or cut.
     /// An error where more room cannot be had.
     core::Result<bool> grow(const shared::FrameCounters& counters);

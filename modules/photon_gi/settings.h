@@ -77,6 +77,14 @@ struct Capacities {
     return finalGathers(s) && s.retrace == Retrace::Auto;
 }
 
+/// Whether the mean over frames goes on from frames drawn with `before`: they hold the same light,
+/// if with more noise or less. What ends it: low resolution, bounces, seeds, ways of gathering.
+[[nodiscard]] bool meanGoesOn(Settings before, const Settings& now);
+/// Whether paths drawn up with `before` can be kept: they are as many, and drawn alike.
+[[nodiscard]] bool pathsGoOn(Settings before, const Settings& now);
+/// Whether surfaces and direct light are the same with both.
+[[nodiscard]] bool sameDirectLight(const Settings& a, const Settings& b);
+
 /// The seed of a frame's random numbers.
 [[nodiscard]] uint32_t frameSeed(const Settings& settings, uint64_t frameNumber);
 

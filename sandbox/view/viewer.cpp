@@ -62,6 +62,8 @@ Viewer::Viewer(const ViewOptions& options, window::Window& window, FrameLoop& lo
       loop_(loop),
       presenter_(presenter),
       shaders_(shaders),
+      budget_(settingsOf(options), options.budgetMilliseconds),
+      budgetMilliseconds_(options.budgetMilliseconds),
       defaults_(settingsOf(options)),
       lastPoll_(Clock::now()) {
     scene::registerComponents(registry_);
@@ -82,7 +84,7 @@ core::Result<void> Viewer::prepare() {
     }
     if (!state_.cameraToWorld) state_.cameraToWorld = loop_.request.camera.cameraToWorld;
     if (!options_.record.empty()) recorder_.emplace(options_.scene, stateText(state_));
-    loop_.request.settings = state_.settings;
+    budget_.asked = state_.settings;
     loop_.request.camera.cameraToWorld = *state_.cameraToWorld;
     play_.timeScale = state_.timeScale;
     play_.walks = state_.walks;
@@ -133,7 +135,7 @@ core::Result<void> Viewer::run() {
 core::Result<void> Viewer::finish() {
     if (recorder_) TRY_VOID(recorder_->write(options_.record));
     if (!options_.settings.empty()) {
-        state_.settings = loop_.request.settings;
+        state_.settings = budget_.asked;
         state_.panels = panels_->open;
         state_.overlay = overlay_->visible();
         state_.cameraToWorld = loop_.request.camera.cameraToWorld;
@@ -216,8 +218,10 @@ void Viewer::drawPanels(const Moment& moment) {
                                   loop_.snapshot(),
                                   loop_.request.size,
                                   overlay_->cpuMilliseconds()};
-    const overlay::Editable edits{loop_.world(), selected_, loop_.request.settings, defaults_,
-                                  state_.display};
+    const overlay::Editable edits{loop_.world(),  selected_,
+                                  budget_.asked,  defaults_,
+                                  state_.display, repeatable() ? nullptr : &budgetMilliseconds_,
+                                  budget_.state()};
     const auto shaders = shaders_.status();
     panels_->draw(seen, loop_.renderer().paths(), edits, shaders, &play_);
     if (!loop_.world().alive(selected_)) return;
@@ -305,10 +309,13 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
     // What looks into the frame needs one that is drawn, not one that is shown again.
     loop_.request.finalAlone =
         !(overlay_->visible() && (panels_->marks.any() || !panels_->look.choice.name.empty()));
-    if (replayed_.empty() && !recorder_) shaders_.update(loop_);
+    if (!repeatable()) shaders_.update(loop_);
+    budget_.setMilliseconds(budgetMilliseconds_);
+    budget_.choose(loop_);
     TRY_VOID(loop_.follow());
     TRY(LoopFrame frame,
         loop_.tryDraw(number, saves ? std::string("screenshot") : std::string{}, addNodes));
+    budget_.learn(frame);
     if (saves) TRY_VOID(saveScreenshot(frame, number));
     const bool whole = frame.outcome.report.valid;
     if (watch_ && whole)
@@ -358,8 +365,8 @@ core::Result<void> Viewer::saveScreenshot(const LoopFrame& frame, uint64_t numbe
 
 std::string Viewer::title(const photon_gi::Renderer::Outcome& outcome) const {
     if (outcome.report.valid)
-        return fmt::format("lampyris: {}, {:.1f} ms", options_.scene,
-                           outcome.statistics.gpuMilliseconds);
+        return fmt::format("lampyris: {}, {:.1f} ms{}", options_.scene,
+                           outcome.statistics.gpuMilliseconds, budget_.text());
     const shared::FrameCounters& counters = outcome.report.counters;
     return fmt::format(
         "lampyris: INVALID FRAME, {} photons, {} tile entries and {} grid cells dropped, {} in a "

@@ -7,6 +7,7 @@
 
 #include "flicker/watch.h"
 #include "frame_loop.h"
+#include "live_budget.h"
 #include "overlay/overlay.h"
 #include "overlay/panels.h"
 #include "results.h"
@@ -58,7 +59,12 @@ class Viewer {
     window::Presenter& presenter_;
     ShaderWatch& shaders_;
 
+    /// A replay must not go by the clock.
+    [[nodiscard]] bool repeatable() const { return recorder_ || !replayed_.empty(); }
+
     ViewState state_;
+    LiveBudget budget_;  ///< holds the settings that are asked for
+    std::optional<double> budgetMilliseconds_;
     photon_gi::Settings defaults_;
     ecs::Registry registry_;
     std::optional<overlay::Overlay> overlay_;

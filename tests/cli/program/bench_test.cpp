@@ -80,6 +80,15 @@ TEST(Bench, Motion) {
               0);
 }
 
+TEST(Bench, Budget) {
+    const ScratchFolder folder;
+    const Ran ran = lampyris(bench("budget", folder / "out", {"--frames", "2"}));
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(linesOf(folder / "out/budget.csv"), 4u) << "three steps, a header\n" << ran.out;
+    EXPECT_EQ(linesOf(folder / "out/budget_frames.csv"), 7u);
+    expectFiles(folder / "out", {"budget.md"});
+}
+
 TEST(Bench, Soak) {
     const ScratchFolder folder;
     const Ran ran = lampyris(bench("soak", folder / "out", {"--frames", "6", "--validation"}));
@@ -94,7 +103,8 @@ TEST(Bench, Soak) {
 TEST(Bench, ListsWhatThereIs) {
     const Ran ran = lampyris({"bench", "--help"});
     EXPECT_EQ(ran.code, 0);
-    for (const char* name : {"nodes", "binning", "rays", "accel", "refit", "motion", "soak"})
+    for (const char* name :
+         {"nodes", "binning", "budget", "rays", "accel", "refit", "motion", "soak"})
         EXPECT_NE(ran.out.find("  " + std::string(name) + " "), std::string::npos) << name;
 }
 

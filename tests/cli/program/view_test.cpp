@@ -68,6 +68,17 @@ TEST_F(View, MarksAFrameThatOverflowedAndDrawsTheNextOneRight) {
     EXPECT_EQ(report["frames"], 2) << "the one that overflowed is no measurement";
 }
 
+TEST_F(View, GivesUpWhatABudgetDoesNotAllow) {
+    const auto view = startView({"--size", "64x36", "--retrace", "all", "--budget-ms", "0.01"});
+    EXPECT_TRUE(eventually([&] {
+        const std::string title = ask({"search", "--name", "lampyris", "getwindowname"});
+        return title.find("paths 2500 → ") != std::string::npos &&
+               title.find("out of reach") != std::string::npos;
+    }));
+    ask({"search", "--name", "lampyris", "windowfocus", "--sync", "key", "Escape"});
+    expectQuietEnd(*view);
+}
+
 TEST_F(View, ReloadsShadersAndSaysWhatIsBroken) {
     const ScratchFolder folder;
     std::filesystem::copy(LAMPYRIS_SOURCE_DIR "/shaders", folder / "shaders",

@@ -24,6 +24,24 @@ TEST(WrongCall, NamesWhatIsWrong) {
     expectWrongCall(lampyris({"bench", "scene-complexity", "--reference", "a.exr"}), "--reference");
 }
 
+TEST(WrongCall, BudgetsAreOfViewsFinalGather) {
+    expectWrongCall(lampyris({"render", "cornell", "-o", "a.png", "--budget-ms", "9"}),
+                    "--budget-ms");
+    expectWrongCall(lampyris({"bench", "budget", "--budget-ms", "9"}), "--budget-ms");
+    for (const char* milliseconds : {"0", "-1", "nan", "fast"})
+        expectWrongCall(lampyris({"view", "cornell", "--budget-ms", milliseconds}), "--budget-ms");
+    for (const Arguments& more : {Arguments{"--pipeline", "thesis"},
+                                  {"--pipeline", "direct"},
+                                  {"--gather", "tiles"},
+                                  {"--max-bounces", "0"}}) {
+        Arguments arguments{"view", "cornell", "--budget-ms", "9"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        expectWrongCall(lampyris(arguments), "--budget-ms");
+    }
+    expectWrongCall(lampyris({"render", "cornell", "-o", "a.png", "--shaders", "off"}),
+                    "--shaders");
+}
+
 TEST(WrongCall, LeavesNoFile) {
     const ScratchFolder folder;
     const std::vector<std::pair<Arguments, std::string>> calls{
