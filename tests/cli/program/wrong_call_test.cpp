@@ -33,7 +33,8 @@ TEST(WrongCall, BudgetsAreOfViewsFinalGather) {
     for (const Arguments& more : {Arguments{"--pipeline", "thesis"},
                                   {"--pipeline", "direct"},
                                   {"--gather", "tiles"},
-                                  {"--max-bounces", "0"}}) {
+                                  {"--max-bounces", "0"},
+                                  {"--replay", "a.log"}}) {
         Arguments arguments{"view", "cornell", "--budget-ms", "9"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         expectWrongCall(lampyris(arguments), "--budget-ms");
