@@ -21,8 +21,8 @@ core::Result<void> checkFiles(const ViewOptions& options) {
 core::Result<void> checkView(const ViewOptions& options) {
     TRY_VOID(checkCall(options));
     TRY_VOID(checkBudget(options, options.budgetMilliseconds));
-    if (options.budgetMilliseconds && (!options.record.empty() || !options.replay.empty()))
-        return core::error("--budget-ms follows the clock; what is recorded or replayed does not");
+    if (options.budgetMilliseconds && !(options.record.empty() && options.replay.empty()))
+        return core::error("--budget-ms goes by the clock; --record and --replay must not");
     if (!options.record.empty() && !options.replay.empty())
         return core::error("--record and --replay: a replay has no inputs of its own to record");
     return {};
@@ -54,6 +54,10 @@ void addFileOptions(CLI::App& app, ViewOptions& o) {
     app.add_option("--render-scale", o.renderScale,
                    "picture pixels a window pixel, an axis (1; on a CPU without --size, 0.25)")
         ->check(finite(view::kLeastRenderScale, 1.0));
+    app.add_option("--budget-ms", o.budgetMilliseconds,
+                   "keep indirect light at so many device milliseconds: gives up paths, radius, "
+                   "rays and resolution as need be")
+        ->check(finite(0.01, 1e6));
     app.add_option("--shaders", o.shaders,
                    "reload shaders when their files change (those that the program was built "
                    "from); off: do not")
@@ -75,10 +79,6 @@ void addView(CLI::App& program, Command& called) {
     addFrameOptions(*app, *options);
     addPictureOptions(*app, *options);
     addFileOptions(*app, *options);
-    app->add_option("--budget-ms", options->budgetMilliseconds,
-                    "keep indirect light at so many device milliseconds: gives up paths, radius, "
-                    "rays and resolution as need be")
-        ->check(finite(0.01, 1e6));
     app->add_flag("--overlay,!--no-overlay", options->overlay, "panels at the start (on; F1)");
     app->callback([options, &called] {
         called.check = [options] { return checkView(*options); };

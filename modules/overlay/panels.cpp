@@ -42,8 +42,8 @@ void Panels::draw(const FrameSeen& seen, const photons::PathSplit& paths, const 
     if (open.truth) truth.draw(seen, look.choice, &open.truth);
     if (open.scene) scene_.draw(edits.world, edits.selected, &open.scene);
     if (open.settings)
-        drawSettingsPanel(edits.settings, edits.defaults, edits.display, &open.settings,
-                          edits.budget);
+        drawSettingsPanel(edits.settings, edits.defaults, edits.display,
+                          {edits.budgetMilliseconds, edits.budget}, &open.settings);
     if (open.shaders) drawShaderPanel(shaders, &open.shaders);
     drawImagePanel(look);
 }

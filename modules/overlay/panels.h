@@ -24,7 +24,8 @@ struct Editable {
     photon_gi::Settings& settings;
     const photon_gi::Settings& defaults;
     core::DisplayTransform& display;
-    BudgetControls* budget = nullptr;  ///< null: there is none
+    std::optional<double>* budgetMilliseconds = nullptr;  ///< of indirect light; null: not offered
+    std::optional<photon_gi::BudgetState> budget{};       ///< where there is one
 };
 
 /// Which panels are open.

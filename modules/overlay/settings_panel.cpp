@@ -1,17 +1,19 @@
 #include "overlay/settings_panel.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <array>
 
 #include "overlay/setting_list.h"
+#include "overlay/words.h"
 
 namespace lampyris::overlay {
 namespace {
 
 using photon_gi::Settings;
+
+constexpr double kFirstBudget = 10.0;  // ms, where a budget is switched on
 
 template <typename Enum>
 void editChoice(Enum& value, std::initializer_list<const char*> names) {
@@ -97,6 +99,24 @@ void drawRow(const SettingInfo& info, Settings& settings, const Settings& defaul
     ImGui::PopID();
 }
 
+void drawBudget(std::optional<double>& milliseconds,
+                const std::optional<photon_gi::BudgetState>& state) {
+    bool on = milliseconds.has_value();
+    if (ImGui::Checkbox("keep indirect light at", &on))
+        milliseconds = on ? std::optional{kFirstBudget} : std::nullopt;
+    if (!milliseconds) return;
+    auto wanted = static_cast<float>(*milliseconds);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(90.0f);
+    if (ImGui::DragFloat("ms", &wanted, std::max(0.01f, 0.01f * wanted), 0.01f, 1e5f, "%.2f"))
+        milliseconds = std::max(0.01, static_cast<double>(wanted));
+    if (!state) return;
+    text(fmt::format("takes {:.2f} ms{}", state->milliseconds,
+                     state->outOfReach ? ": the least there is costs more" : ""));
+    const std::string up = photon_gi::whatWasGivenUp(state->asked, state->given);
+    text(up.empty() ? "nothing is given up" : "given up: " + up);
+}
+
 /// What cannot be had together is put right as the program's options do.
 void mend(Settings& settings) {
     if (settings.pipeline != photon_gi::Pipeline::Thesis) return;
@@ -107,7 +127,7 @@ void mend(Settings& settings) {
 }  // namespace
 
 void drawSettingsPanel(Settings& settings, const Settings& defaults,
-                       core::DisplayTransform& display, bool* open, BudgetControls* budget) {
+                       core::DisplayTransform& display, const BudgetChoice& budget, bool* open) {
     ImGui::SetNextWindowPos({400.0f, 240.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({560.0f, 480.0f}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Settings", open)) {
@@ -117,7 +137,7 @@ void drawSettingsPanel(Settings& settings, const Settings& defaults,
         ImGui::SetNextItemWidth(160.0f);
         if (ImGui::Combo("tone map", &tonemap, "clip\0filmic\0"))
             display.tonemap = static_cast<core::Tonemap>(tonemap);
-        if (budget != nullptr) drawBudget(*budget);
+        if (budget.milliseconds != nullptr) drawBudget(*budget.milliseconds, budget.state);
         const auto flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable;
         if (ImGui::BeginTable("settings", 5, flags)) {
             ImGui::TableSetupColumn("setting", ImGuiTableColumnFlags_WidthStretch, 1.1f);

@@ -62,8 +62,9 @@ Viewer::Viewer(const ViewOptions& options, window::Window& window, FrameLoop& lo
       loop_(loop),
       presenter_(presenter),
       shaders_(shaders),
+      budget_(settingsOf(options), options.budgetMilliseconds),
+      budgetMilliseconds_(options.budgetMilliseconds),
       defaults_(settingsOf(options)),
-      budget_(defaults_, options.budgetMilliseconds),
       lastPoll_(Clock::now()) {
     scene::registerComponents(registry_);
 }
@@ -84,8 +85,6 @@ core::Result<void> Viewer::prepare() {
     if (!state_.cameraToWorld) state_.cameraToWorld = loop_.request.camera.cameraToWorld;
     if (!options_.record.empty()) recorder_.emplace(options_.scene, stateText(state_));
     budget_.asked = state_.settings;
-    if (options_.budgetMilliseconds)
-        budgetControls_ = {true, static_cast<float>(*options_.budgetMilliseconds)};
     loop_.request.camera.cameraToWorld = *state_.cameraToWorld;
     play_.timeScale = state_.timeScale;
     play_.walks = state_.walks;
@@ -219,17 +218,12 @@ void Viewer::drawPanels(const Moment& moment) {
                                   loop_.snapshot(),
                                   loop_.request.size,
                                   overlay_->cpuMilliseconds()};
-    // What is recorded or replayed follows no clock.
-    const bool live = replayed_.empty() && !recorder_;
-    budgetControls_.state = budget_.state();
-    const overlay::Editable edits{loop_.world(), selected_,      budget_.asked,
-                                  defaults_,     state_.display, live ? &budgetControls_ : nullptr};
+    const overlay::Editable edits{loop_.world(),  selected_,
+                                  budget_.asked,  defaults_,
+                                  state_.display, repeatable() ? nullptr : &budgetMilliseconds_,
+                                  budget_.state()};
     const auto shaders = shaders_.status();
     panels_->draw(seen, loop_.renderer().paths(), edits, shaders, &play_);
-    if (budgetControls_.on)
-        budget_.setMilliseconds(static_cast<double>(budgetControls_.milliseconds));
-    else
-        budget_.setMilliseconds(std::nullopt);
     if (!loop_.world().alive(selected_)) return;
     handles_.kind = play_.handles;
     handlesHot_ = handles_.draw(loop_.world(), selected_, loop_.request.camera, moment.size);
@@ -315,13 +309,14 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
     // What looks into the frame needs one that is drawn, not one that is shown again.
     loop_.request.finalAlone =
         !(overlay_->visible() && (panels_->marks.any() || !panels_->look.choice.name.empty()));
-    if (replayed_.empty() && !recorder_) shaders_.update(loop_);
+    if (!repeatable()) shaders_.update(loop_);
+    budget_.setMilliseconds(budgetMilliseconds_);
     budget_.choose(loop_);
     TRY_VOID(loop_.follow());
     TRY(LoopFrame frame,
         loop_.tryDraw(number, saves ? std::string("screenshot") : std::string{}, addNodes));
-    if (saves) TRY_VOID(saveScreenshot(frame, number));
     budget_.learn(frame);
+    if (saves) TRY_VOID(saveScreenshot(frame, number));
     const bool whole = frame.outcome.report.valid;
     if (watch_ && whole)
         TRY_VOID(

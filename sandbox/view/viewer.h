@@ -59,14 +59,17 @@ class Viewer {
     window::Presenter& presenter_;
     ShaderWatch& shaders_;
 
+    /// A replay must not go by the clock.
+    [[nodiscard]] bool repeatable() const { return recorder_ || !replayed_.empty(); }
+
     ViewState state_;
+    LiveBudget budget_;  ///< holds the settings that are asked for
+    std::optional<double> budgetMilliseconds_;
     photon_gi::Settings defaults_;
     ecs::Registry registry_;
     std::optional<overlay::Overlay> overlay_;
     std::optional<overlay::Panels> panels_;
     overlay::PlayControls play_;
-    LiveBudget budget_;
-    overlay::BudgetControls budgetControls_;
     overlay::Handles handles_;
     ecs::Entity selected_;
     graph::Extent windowSize_{};  ///< pixels
