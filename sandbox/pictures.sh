@@ -82,22 +82,6 @@ draw() {
     frame "$1" "$2" still --history 32 --light-cutoff 0 --warmup 31
 }
 
-# The game scene eight frames into its motion, and the overlay as a log of inputs leaves it.
-game() {
-    echo "courtyard, and the overlay"
-    "$program" render courtyard -o "$made/courtyard.png" --size "$size" --time 4 --timestep 0.0166667 --warmup 8 \
-        || exit 1
-    coproc display { exec Xvfb -displayfd 1 -screen 0 1280x720x24 -nolisten tcp -noreset 2>/dev/null; }
-    # shellcheck disable=SC2154  # what coproc sets
-    local number server=$display_PID
-    read -r -u "${display[0]}" number || fail "Xvfb does not start"
-    DISPLAY=:$number "$program" view cornell --replay "$pictures/overlay.log" --screenshots "$made" >/dev/null
-    local ended=$?
-    kill "$server"
-    [[ $ended -eq 0 ]] || exit 1
-    mv "$made"/lampyris_*.png "$made/overlay.png" || fail "the overlay was not drawn"
-}
-
 table() {
     echo '| | reference | `thesis` | `full`, one frame |'
     echo '| --- | --- | --- | --- |'
@@ -120,7 +104,6 @@ trap 'rm -rf "$made"' EXIT
 
 draw cornell -1
 draw two_rooms -1.75
-game
 table >"$made/table.md"
 awk -v begin="$begin" -v end="$end" -v table="$made/table.md" '
     $0 == end { inside = 0 }
