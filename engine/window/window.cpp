@@ -95,6 +95,7 @@ Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {
     });
     glfwGetCursorPos(window, &state_->input.cursorX, &state_->input.cursorY);
     watchX11Errors();
+    endWhereX11IsLost({});
 }
 
 Window::Window(Window&&) noexcept = default;
@@ -141,6 +142,10 @@ const Input& Window::input() const {
 bool Window::shouldClose() const {
     return state_->closeRequested || x11WindowWasDestroyed() ||
            glfwWindowShouldClose(state_->window) == GLFW_TRUE;
+}
+
+void Window::whenDisplayIsLost(std::function<void()> last) {
+    endWhereX11IsLost(std::move(last));
 }
 
 void Window::requestClose() {

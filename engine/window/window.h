@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -82,6 +83,9 @@ class Window {
     /// The user pressed Escape or closed the window, or the window was destroyed from outside.
     [[nodiscard]] bool shouldClose() const;
     void requestClose();
+    /// Where the connection to the display breaks, the program ends with 1 and one line: nothing
+    /// can go on from there. `last` is called before, to write what must not be lost.
+    void whenDisplayIsLost(std::function<void()> last);
     /// In the units of the cursor's position.
     [[nodiscard]] VkExtent2D size() const;
     /// In pixels; 0 by 0 while minimised.

@@ -3,6 +3,8 @@
 #include <X11/Xlib.h>
 
 #include <atomic>
+#include <cstdlib>
+#include <utility>
 
 #include "core/log.h"
 
@@ -18,7 +20,25 @@ int onError(Display*, XErrorEvent* event) {
     return 0;
 }
 
+/// Called once, on the thread that speaks with the display.
+std::function<void()>& lastWords() {
+    static std::function<void()> words;
+    return words;
+}
+
+int onBrokenConnection(Display* /*display*/) {
+    if (const auto words = std::exchange(lastWords(), {})) words();
+    core::releaseLog();
+    core::logError("the display is lost");
+    std::_Exit(1);  // what destructors would say to the display, nobody hears
+}
+
 }  // namespace
+
+void endWhereX11IsLost(std::function<void()> last) {
+    lastWords() = std::move(last);
+    XSetIOErrorHandler(onBrokenConnection);
+}
 
 void watchX11Errors() {
     XSetErrorHandler(onError);

@@ -1,11 +1,17 @@
 /// \file X11's protocol errors, which by default end the program. Nothing happens without X11.
 #pragma once
 
+#include <functional>
+
 namespace lampyris::window {
 
 /// Catches protocol errors from now on. GLFW puts the deadly handler back now and then, so this is
 /// called at every poll.
 void watchX11Errors();
+
+/// From now on the program ends with 1 and one line where the connection to the display server
+/// breaks, after `last` was called. Xlib cannot go on then, and would end it with words of its own.
+void endWhereX11IsLost(std::function<void()> last);
 
 /// Whether an error said that the window or what is drawn into it is gone: somebody destroyed it
 /// under the program.

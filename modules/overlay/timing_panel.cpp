@@ -30,6 +30,13 @@ void TimingPanel::add(const execute::FrameStatistics& frame, double overlayMilli
     if (overlayCpu_.size() > NodeTimes::kFrames) overlayCpu_.erase(overlayCpu_.begin());
 }
 
+float TimingPanel::overlayMilliseconds() const {
+    if (overlayCpu_.empty()) return 0.0f;
+    std::vector<float> sorted = overlayCpu_;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2];
+}
+
 void TimingPanel::draw(bool* open) {
     ImGui::SetNextWindowPos({10.0f, 30.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({430.0f, 520.0f}, ImGuiCond_FirstUseEver);

@@ -20,6 +20,8 @@ class TimingPanel {
     /// Where "Chrome trace" writes to.
     std::filesystem::path traceFile = "lampyris_trace.json";
     [[nodiscard]] const NodeTimes& times() const { return times_; }
+    /// The overlay's own CPU time, median of the frames that are kept; 0 before there were any.
+    [[nodiscard]] float overlayMilliseconds() const;
 
  private:
     void drawButtons();

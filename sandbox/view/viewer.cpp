@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/image_io.h"
+#include "core/log.h"
 #include "display.h"
 #include "fly_camera.h"
 #include "overlay/setting_list.h"
@@ -108,6 +109,10 @@ core::Result<void> Viewer::prepare() {
 
 core::Result<void> Viewer::run() {
     TRY_VOID(prepare());
+    window_.whenDisplayIsLost([this] {
+        const auto kept = keep();
+        if (!kept.ok()) core::logError("{}", kept.error().message);
+    });
     loop_.seconds = options_.time;
     for (uint64_t i = 0; !window_.shouldClose() && !isLast(i);) {
         const auto moment = nextMoment();
@@ -132,21 +137,28 @@ core::Result<void> Viewer::run() {
     return finish();
 }
 
-core::Result<void> Viewer::finish() {
+core::Result<void> Viewer::keep() {
     if (recorder_) TRY_VOID(recorder_->write(options_.record));
-    if (!options_.settings.empty()) {
-        state_.settings = budget_.asked;
-        state_.panels = panels_->open;
-        state_.overlay = overlay_->visible();
-        state_.cameraToWorld = loop_.request.camera.cameraToWorld;
-        state_.timeScale = play_.timeScale;
-        state_.walks = play_.walks;
-        state_.renderScale = play_.renderScale;
-        state_.fullScreen = window_.fullScreen();
-        if (!state_.fullScreen) state_.size = windowSize_;
-        TRY_VOID(writeState(options_.settings, state_));
-    }
+    if (options_.settings.empty()) return {};
+    state_.settings = budget_.asked;
+    state_.panels = panels_->open;
+    state_.overlay = overlay_->visible();
+    state_.cameraToWorld = loop_.request.camera.cameraToWorld;
+    state_.timeScale = play_.timeScale;
+    state_.walks = play_.walks;
+    state_.renderScale = play_.renderScale;
+    state_.fullScreen = window_.fullScreen();
+    if (!state_.fullScreen) state_.size = windowSize_;
+    return writeState(options_.settings, state_);
+}
+
+core::Result<void> Viewer::finish() {
+    window_.whenDisplayIsLost({});  // all is written here
+    TRY_VOID(keep());
     if (rate_.frames() > 0) fmt::print("{}\n", rate_.summary());
+    if (overlay_->visible())
+        fmt::print("overlay: {:.2f} ms of CPU time a frame\n",
+                   panels_->timing.overlayMilliseconds());
     if (watch_) {
         TRY_VOID(watch_->finish(options_.flicker));
         fmt::print("{}\n", watch_->summary());

@@ -34,6 +34,8 @@ class Viewer {
 
  private:
     core::Result<void> prepare();
+    /// Writes settings and recorded inputs.
+    core::Result<void> keep();
     core::Result<void> finish();
     /// --render-scale, the file's, or what the device can do.
     [[nodiscard]] float firstRenderScale() const;

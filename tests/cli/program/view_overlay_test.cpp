@@ -173,6 +173,17 @@ TEST_F(ViewOverlay, EndsWhereItIsClosedWhileItLoads) {
     expectQuietEnd(*view);
 }
 
+TEST_F(ViewOverlay, EndsWithOneLineWhereItsDisplayIsLost) {
+    const auto view = startView({"--size", "160x90", "--settings", folder_ / "a.json"});
+    ASSERT_TRUE(showsFrames(*view));
+    server_.reset();
+    const Ran ran = view->wait(kViewSeconds);
+    EXPECT_EQ(ran.code, 1) << "signal " << ran.signal;
+    EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+    EXPECT_NE(ran.err.find("the display is lost"), std::string::npos) << ran.err;
+    EXPECT_TRUE(jsonOf(folder_ / "a.json").contains("settings")) << "what is to be kept is kept";
+}
+
 TEST_F(ViewOverlay, KeepsItsSettingsInAFile) {
     const std::string file = folder_ / "a.json";
     expectQuietEnd(*startView({"--size", "160x90", "--frames", "2", "--photons", "77", "--exposure",
