@@ -80,7 +80,8 @@ void addView(CLI::App& program, Command& called) {
     addPictureOptions(*app, *options);
     addFileOptions(*app, *options);
     app->add_flag("--overlay,!--no-overlay", options->overlay, "panels at the start (on; F1)");
-    app->callback([options, &called] {
+    app->callback([app, options, &called] {
+        options->displayGiven = app->count("--exposure") + app->count("--tonemap") > 0;
         called.check = [options] { return checkView(*options); };
         called.run = [options] { return viewScene(*options); };
     });

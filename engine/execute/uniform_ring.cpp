@@ -1,6 +1,7 @@
 #include "execute/uniform_ring.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace lampyris::execute {
@@ -27,9 +28,10 @@ core::Result<UniformRing::Place> UniformRing::add(std::span<const uint8_t> bytes
     }
     if (block_ == blocks_.size()) {
         TRY(gpu::Buffer fresh,
-            gpu::Buffer::create(*device_, {.bytes = std::max<uint64_t>(kBlockBytes, bytes.size()),
-                                           .memory = gpu::MemoryUse::Upload,
-                                           .name = "uniforms"}));
+            gpu::Buffer::create(
+                *device_, {.bytes = std::bit_ceil(std::max<uint64_t>(kBlockBytes, bytes.size())),
+                           .memory = gpu::MemoryUse::Upload,
+                           .name = "uniforms"}));
         blocks_.push_back(std::move(fresh));
     }
     std::memcpy(blocks_[block_].mapped().data() + offset, bytes.data(), bytes.size());

@@ -10,7 +10,8 @@
 
 namespace lampyris::execute {
 
-/// Grows in blocks, which are kept; reset() when the device is done with the frame.
+/// Grows in blocks, powers of two in bytes, which are kept; reset() when the device is done with
+/// the frame.
 class UniformRing {
  public:
     struct Place {

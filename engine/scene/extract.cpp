@@ -123,9 +123,10 @@ std::optional<SnapshotInstance> makeInstance(const ecs::World& world, const Scen
     const auto* drawn = world.find<MeshInstance>(entity);
     const auto* transform = world.find<WorldTransform>(entity);
     if (drawn == nullptr || transform == nullptr || !drawn->mesh.valid()) return std::nullopt;
-    const MaterialId material = drawn->material.valid() ? drawn->material : kDefaultMaterial;
-    CHECK(drawn->mesh.value < shared.meshes.size());
-    CHECK(material.value < shared.materials.size());
+    // Numbers that the library lacks may come from a saved scene: they show nothing, or in default.
+    if (drawn->mesh.value >= shared.meshes.size()) return std::nullopt;
+    const bool known = drawn->material.valid() && drawn->material.value < shared.materials.size();
+    const MaterialId material = known ? drawn->material : kDefaultMaterial;
     PlacedPose placed =
         placeDeformed(world, entity, world.resource<Library>().extentsOf(drawn->mesh));
     return SnapshotInstance{.entity = entity,

@@ -57,9 +57,10 @@ void drawBarrier(const FrameSeen& seen, const graph::Barrier& barrier) {
 
 void drawStep(const FrameSeen& seen, const graph::Step& step, LookChoice& choice) {
     const graph::Node& node = seen.declared.nodes()[step.node];
-    for (const graph::Use& use : node.uses) {
+    for (size_t i = 0; i < node.uses.size(); ++i) {
+        const graph::Use& use = node.uses[i];
         const graph::ResourceInfo& info = seen.declared.resources()[use.resource];
-        ImGui::PushID(&use);
+        ImGui::PushID(static_cast<int>(i));
         ImGui::Bullet();
         text(fmt::format("{} v{}", graph::name(use.access), use.version));
         ImGui::SameLine();

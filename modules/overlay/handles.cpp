@@ -16,6 +16,8 @@ namespace {
 
 constexpr float kLengthPixels = 90.0f;
 constexpr float kReachPixels = 8.0f;  // [chosen] how near the mouse must be
+constexpr float kEndOn =
+    0.01f;  // [chosen] square of the sine of 6°: an axis that is no length to drag
 constexpr int kCirclePoints = 48;
 constexpr std::array<ImU32, 3> kColours{IM_COL32(235, 70, 60, 255), IM_COL32(90, 210, 80, 255),
                                         IM_COL32(80, 130, 245, 255)};
@@ -58,7 +60,7 @@ float alongAxis(const Stand& stand, int axis, const ImVec2& mouse) {
     const glm::vec3& a = stand.axes[static_cast<size_t>(axis)];
     const float ad = glm::dot(a, direction);
     const float parallel = 1.0f - ad * ad;
-    if (parallel < 1e-4f) return 0.0f;  // looked at end on
+    if (parallel < kEndOn) return 0.0f;
     return (glm::dot(a, between) - ad * glm::dot(direction, between)) / parallel;
 }
 
@@ -123,7 +125,8 @@ void apply(ecs::World& world, ecs::Entity entity, HandleKind kind, const glm::ve
         const glm::vec3 about = glm::normalize(toParent * axisWorld);
         transform.rotation = glm::normalize(glm::angleAxis(to - from, about) * transform.rotation);
     } else {
-        const float factor = std::abs(from) > 1e-4f ? std::clamp(to / from, 0.1f, 10.0f) : 1.0f;
+        const float factor =
+            std::abs(from) > 1e-4f ? std::clamp(std::abs(to / from), 0.1f, 10.0f) : 1.0f;
         if (const auto* light = world.find<scene::SphereLight>(entity)) {
             scene::SphereLight scaled = *light;
             scaled.radiusMetres = std::max(1e-3f, scaled.radiusMetres * factor);
@@ -132,7 +135,9 @@ void apply(ecs::World& world, ecs::Entity entity, HandleKind kind, const glm::ve
         }
         transform.scale[axis] *= factor;
     }
-    world.set(entity, transform);
+    const glm::vec3 sum = transform.translation + transform.scale;
+    const float all = sum.x + sum.y + sum.z + glm::length(transform.rotation);
+    if (std::isfinite(all)) world.set(entity, transform);  // a flat parent gives no way back
 }
 
 std::optional<Stand> standOf(const glm::mat4& objectToWorld, HandleKind kind,
@@ -162,6 +167,7 @@ bool Handles::draw(ecs::World& world, ecs::Entity entity, const scene::SnapshotC
                    graph::Extent size) {
     const auto* at = world.find<scene::WorldTransform>(entity);
     if (!ImGui::IsMouseDown(0) || at == nullptr) dragged_.reset();
+    if (dragged_ && (dragged_->entity != entity || dragged_->kind != kind)) dragged_.reset();
     if (at == nullptr || !world.has<scene::Transform>(entity)) return false;
     const auto stand = standOf(at->matrix, kind, camera, size);
     if (!stand) return false;
@@ -176,7 +182,8 @@ bool Handles::draw(ecs::World& world, ecs::Entity entity, const scene::SnapshotC
         if (hot < 0 && !ImGui::GetIO().WantCaptureMouse && isNear(points, mouse)) hot = i;
         drawOutline(points, kind, i == hot ? kHot : kColours[static_cast<size_t>(i)]);
     }
-    if (!dragged_ && hot >= 0 && ImGui::IsMouseClicked(0)) dragged_ = Drag{hot, valueOf(hot)};
+    if (!dragged_ && hot >= 0 && ImGui::IsMouseClicked(0))
+        dragged_ = Drag{entity, kind, hot, valueOf(hot)};
     if (!dragged_) return hot >= 0;
     const int axis = dragged_->axis;
     const float now = valueOf(axis);

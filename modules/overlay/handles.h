@@ -25,6 +25,8 @@ class Handles {
 
  private:
     struct Drag {
+        ecs::Entity entity;
+        HandleKind kind = HandleKind::Move;
         int axis = 0;
         float start = 0.0f;  ///< metres along the axis, or radians about it, where it was taken
     };

@@ -53,8 +53,14 @@ void drawFindings(const ImageLook& look) {
     if (found == nullptr) return;
     if (look.choice.cursor) {
         const glm::vec4 v = found->underCursor;
+        const glm::uvec4 bits = found->bitsUnderCursor;
         const glm::uvec2 at = *look.choice.cursor;
-        text(fmt::format("({}, {}): {:.5g} {:.5g} {:.5g} {:.5g}", at.x, at.y, v.x, v.y, v.z, v.w));
+        const graph::Format format = look.desc().format;
+        const bool whole = format == graph::Format::R32Uint || format == graph::Format::RGBA32Uint;
+        text(whole
+                 ? fmt::format("({}, {}): {} {} {} {}", at.x, at.y, bits.x, bits.y, bits.z, bits.w)
+                 : fmt::format("({}, {}): {:.5g} {:.5g} {:.5g} {:.5g}", at.x, at.y, v.x, v.y, v.z,
+                               v.w));
     } else {
         text("point at it for a texel's value");
     }

@@ -16,6 +16,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr float kLeastStep = 1e-4f;  // seconds: ImGui takes no frame of no length
 
+double millisecondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
 void chooseStyle() {
     ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
@@ -34,7 +38,8 @@ struct Overlay::State {
     Clipboard clipboard;
     std::string pasted;  ///< what the last paste was given
     bool visible = true;
-    bool open = false;  ///< between begin() and addNode()
+    bool open = false;   ///< between begin() and end()
+    bool drawn = false;  ///< between end() and addNode()
     Clock::time_point begun;
     double milliseconds = 0.0;
 
@@ -100,23 +105,33 @@ void Overlay::begin(const window::Input& input, graph::Extent windowSize, graph:
     state_->open = true;
 }
 
-bool Overlay::wantsMouse() const {
-    return state_->open && ImGui::GetIO().WantCaptureMouse;
-}
-
-bool Overlay::typing() const {
-    return state_->open && ImGui::GetIO().WantTextInput;
-}
-
-graph::Image Overlay::addNode(graph::Frame& frame, graph::Image shown, graph::Image picture) {
-    if (!state_->open) return shown;
+void Overlay::end() {
+    if (!state_->open) return;
     ImGui::SetCurrentContext(state_->context);
     ImGui::Render();
     state_->open = false;
+    state_->drawn = true;
+    state_->milliseconds = millisecondsSince(state_->begun);
+}
+
+bool Overlay::wantsMouse() const {
+    ImGui::SetCurrentContext(state_->context);
+    return state_->visible && ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Overlay::typing() const {
+    ImGui::SetCurrentContext(state_->context);
+    return state_->visible && ImGui::GetIO().WantTextInput;
+}
+
+graph::Image Overlay::addNode(graph::Frame& frame, graph::Image shown, graph::Image picture) {
+    end();
+    if (!std::exchange(state_->drawn, false)) return shown;
+    const auto begin = Clock::now();
+    ImGui::SetCurrentContext(state_->context);
     const graph::Image drawn =
         addPanels(frame, *ImGui::GetDrawData(), state_->font, picture, shown);
-    const std::chrono::duration<double, std::milli> spent = Clock::now() - state_->begun;
-    state_->milliseconds = spent.count();
+    state_->milliseconds += millisecondsSince(begin);
     return drawn;
 }
 

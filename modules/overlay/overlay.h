@@ -1,8 +1,8 @@
 /// \file What lies over the picture: Dear ImGui's panels, drawn as a node of the graph. Open this
 /// file first.
 ///
-/// A frame: begin(), then any panels (see panels.h) or ImGui calls, then addNode() while the graph
-/// is declared. Hidden, all of it does nothing and costs nothing.
+/// A frame: begin(), then any panels (see panels.h) or ImGui calls, then end(), and addNode() while
+/// the graph is declared. Hidden, all of it does nothing and costs nothing.
 #pragma once
 
 #include <functional>
@@ -37,17 +37,19 @@ class Overlay {
     /// \param windowSize  what the cursor's positions count in; the picture may be of another size
     void begin(const window::Input& input, graph::Extent windowSize, graph::Extent pictureSize,
                double seconds);
+    /// No panels after this one.
+    void end();
     /// Whether the mouse is over the panels, and not what lies under them.
     [[nodiscard]] bool wantsMouse() const;
-    /// Whether keys go into a field.
+    /// Whether keys go into a field; before begin(), as of the frame before.
     [[nodiscard]] bool typing() const;
 
-    /// Ends the panels and declares the node `overlay`, which draws them over `shown`.
+    /// Declares the node `overlay`, which draws the panels over `shown`.
     /// \param picture  what panels show as kPictureTexture, see image_view.h; may be invalid
     [[nodiscard]] graph::Image addNode(graph::Frame& frame, graph::Image shown,
                                        graph::Image picture = {});
 
-    /// Wall time from begin() to the end of addNode() in the last frame; 0 while hidden.
+    /// Wall time from begin() to end(), and of addNode(), in the last frame; 0 while hidden.
     [[nodiscard]] double cpuMilliseconds() const;
 
  private:

@@ -39,7 +39,10 @@ void Panels::draw(const FrameSeen& seen, const photons::PathSplit& paths, const 
     if (open.timing) timing.draw(&open.timing);
     if (open.graph) graph_.draw(seen, look.choice, &open.graph);
     if (open.light) drawLightPanel(seen, paths, marks, &open.light);
-    if (open.truth) truth.draw(seen, look.choice, &open.truth);
+    if (open.truth)
+        truth.draw(seen, look.choice, &open.truth);
+    else
+        truth.switchOff();
     if (open.scene) scene_.draw(edits.world, edits.selected, &open.scene);
     if (open.settings)
         drawSettingsPanel(edits.settings, edits.defaults, edits.display,

@@ -16,7 +16,8 @@ void drawPlayBar(PlayControls& c) {
         ImGui::MenuItem("Pause", "Space", &c.paused);
         if (ImGui::MenuItem("Single step", ".", false, c.paused)) c.step = true;
         ImGui::SetNextItemWidth(120.0f);
-        ImGui::SliderFloat("time scale", &c.timeScale, -4.0f, 4.0f, "%.2f");
+        ImGui::SliderFloat("time scale", &c.timeScale, -4.0f, 4.0f, "%.2f",
+                           ImGuiSliderFlags_AlwaysClamp);
         ImGui::SetNextItemWidth(120.0f);
         ImGui::SliderFloat("render scale", &c.renderScale, 0.1f, 1.0f, "%.2f",
                            ImGuiSliderFlags_AlwaysClamp);

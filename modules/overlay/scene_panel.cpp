@@ -9,7 +9,7 @@
 #include "ecs/hierarchy.h"
 #include "overlay/json_fields.h"
 #include "overlay/words.h"
-#include "scene/components.h"
+#include "scene/library.h"
 
 namespace lampyris::overlay {
 namespace {
@@ -23,6 +23,18 @@ std::string nameOf(const ecs::World& world, ecs::Entity entity) {
     if (world.has<scene::SphereLight>(entity)) words += " (light)";
     if (world.has<scene::Camera>(entity)) words += " (camera)";
     return words;
+}
+
+/// Whether the library has what the entity shows.
+core::Result<void> checkNumbers(const ecs::World& world, ecs::Entity entity) {
+    const auto* shown = world.find<scene::MeshInstance>(entity);
+    const auto* library = world.findResource<scene::Library>();
+    if (shown == nullptr || library == nullptr) return {};
+    if (shown->mesh.valid() && shown->mesh.value >= library->meshes().size())
+        return core::error("there are {} meshes", library->meshes().size());
+    if (shown->material.valid() && shown->material.value >= library->materials().size())
+        return core::error("there are {} materials", library->materials().size());
+    return {};
 }
 
 ImGuiTreeNodeFlags flagsOf(bool isLeaf, bool isSelected) {
@@ -71,6 +83,8 @@ void ScenePanel::drawTree(const ecs::World& world, ecs::Entity entity, ecs::Enti
 
 void ScenePanel::drawInspector(ecs::World& world, ecs::Entity entity) {
     ImGui::PushID(static_cast<int>(entity.index()));
+    if (entity != shown_) refused_.clear();
+    shown_ = entity;
     const std::vector<ecs::Entity> all = ecs::parentsFirst(world);
     const ecs::SavedEntities saved(all);
     for (const ecs::Registry::Entry& entry : registry_->entries()) {
@@ -79,8 +93,12 @@ void ScenePanel::drawInspector(ecs::World& world, ecs::Entity entity) {
             continue;
         ImGui::PushID(entry.name.c_str());
         ImGui::PushItemWidth(remainingWidth() * 0.6f);
+        const nlohmann::json before = *value;
         if (editFields(*value)) {
-            const auto loaded = entry.load(world, entity, *value, ecs::LoadedEntities{all});
+            const ecs::LoadedEntities entities{all};
+            auto loaded = entry.load(world, entity, *value, entities);
+            if (loaded.ok()) loaded = checkNumbers(world, entity);
+            if (!loaded.ok()) (void)entry.load(world, entity, before, entities);
             refused_ = loaded.ok() ? std::string{} : loaded.error().message;
         }
         ImGui::PopItemWidth();

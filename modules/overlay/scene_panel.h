@@ -25,6 +25,7 @@ class ScenePanel {
     const ecs::Registry* registry_;
     std::string filter_;   ///< part of a name
     std::string refused_;  ///< what the last edit met with
+    ecs::Entity shown_;    ///< whose edit it was
 };
 
 }  // namespace lampyris::overlay

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
 #include "overlay/setting_list.h"
 #include "overlay/words.h"
@@ -22,6 +24,20 @@ void editChoice(Enum& value, std::initializer_list<const char*> names) {
         value = static_cast<Enum>(index);
 }
 
+/// What has been typed so far into the one field that is being typed into: numbers pass through
+/// others on their way, and those are not taken.
+std::optional<double> typed;
+
+template <typename T>
+void take(Settings& settings, T Settings::*field, bool edited, T value) {
+    if (edited && ImGui::GetIO().WantTextInput)
+        typed = static_cast<double>(value);
+    else if (edited)
+        settings.*field = value;
+    if (ImGui::IsItemDeactivatedAfterEdit() && typed)
+        settings.*field = static_cast<T>(*std::exchange(typed, std::nullopt));
+}
+
 struct Editor {
     const SettingInfo& info;
     Settings& settings;
@@ -31,16 +47,17 @@ struct Editor {
         const auto most = static_cast<uint32_t>(info.most);
         uint32_t value = settings.*field;
         const float speed = info.wide ? std::max(0.1f, 0.01f * static_cast<float>(value)) : 0.05f;
-        if (ImGui::DragScalar("##value", ImGuiDataType_U32, &value, speed, &least, &most, "%u"))
-            settings.*field = std::clamp(value, least, most);
+        const bool edited =
+            ImGui::DragScalar("##value", ImGuiDataType_U32, &value, speed, &least, &most, "%u");
+        take(settings, field, edited, std::clamp(value, least, most));
     }
     void operator()(float Settings::*field) const {
         const auto least = static_cast<float>(info.least);
         const auto most = static_cast<float>(info.most);
         float value = settings.*field;
-        if (ImGui::DragFloat("##value", &value, std::max(1e-4f, 0.01f * value), least, most,
-                             "%.4g"))
-            settings.*field = std::clamp(value, least, most);
+        const bool edited = ImGui::DragFloat("##value", &value, std::max(1e-4f, 0.01f * value),
+                                             least, most, "%.4g");
+        take(settings, field, edited, std::clamp(value, least, most));
     }
     void operator()(bool Settings::*field) const { ImGui::Checkbox("##value", &(settings.*field)); }
     void operator()(photon_gi::Pipeline Settings::*field) const {
@@ -132,7 +149,8 @@ void drawSettingsPanel(Settings& settings, const Settings& defaults,
     ImGui::SetNextWindowSize({560.0f, 480.0f}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Settings", open)) {
         ImGui::SetNextItemWidth(160.0f);
-        ImGui::SliderFloat("exposure, EV", &display.exposureEv, -10.0f, 10.0f, "%.2f");
+        ImGui::SliderFloat("exposure, EV", &display.exposureEv, -10.0f, 10.0f, "%.2f",
+                           ImGuiSliderFlags_AlwaysClamp);
         int tonemap = static_cast<int>(display.tonemap);
         ImGui::SetNextItemWidth(160.0f);
         if (ImGui::Combo("tone map", &tonemap, "clip\0filmic\0"))

@@ -72,11 +72,6 @@ core::Result<TruthPanel> TruthPanel::create(gpu::Device& device) {
 
 core::Result<void> TruthPanel::follow(const TruthView& view, const core::DisplayTransform& display,
                                       const gpu::Image& radiance, const graph::ImageDesc& desc) {
-    if (!on_) {
-        if (worker_) worker_->rest();
-        copies_ = 0;
-        return {};
-    }
     if (!worker_) worker_ = std::make_unique<TruthWorker>();
     worker_->follow(view);
     if (!view_ || !view_->sameAs(view)) {
@@ -91,6 +86,11 @@ core::Result<void> TruthPanel::follow(const TruthView& view, const core::Display
     if (worker_->wantsFrame()) worker_->measure({image, before_, display});
     before_ = std::move(image);
     return {};
+}
+
+void TruthPanel::rest() {
+    if (worker_) worker_->rest();
+    view_.reset();
 }
 
 void TruthPanel::addNode(graph::Frame& frame, const LookChoice& choice) {
@@ -127,7 +127,6 @@ void TruthPanel::drawFigures(LookChoice& choice) {
     plot("MSSIM", state.figures, [](const auto& f) { return std::optional{f.mssim}; });
     plot("FLIP", state.figures, [](const auto& f) { return std::optional{f.flip}; });
     plot("flicker (luma of 255)", state.figures, [](const auto& f) { return f.change; });
-    if (state.pictures == 0) return;
     for (const auto& [label, name] : {std::pair{"Look at the difference", kTruthDifference},
                                       std::pair{"Look at the reference", kTruthReference}}) {
         if (ImGui::Button(label)) {
@@ -152,7 +151,7 @@ void TruthPanel::draw(const FrameSeen& seen, LookChoice& choice, bool* open) {
         drawEnergy(seen.report.energy);
     }
     ImGui::End();
-    if (!*open) on_ = false;
+    if (!*open) on_ = false;  // by its cross
 }
 
 }  // namespace lampyris::overlay

@@ -20,8 +20,8 @@ class TruthPanel {
  public:
     static core::Result<TruthPanel> create(gpu::Device& device);
 
-    /// After a frame was drawn whole, outside of its timed range; does nothing unless the panel
-    /// is on. Copies are looked at two frames later.
+    /// After a frame was drawn whole, outside of its timed range. Copies are looked at two frames
+    /// later.
     /// \param radiance  the finished frame, as execute::Executor::outputImage() leaves it
     core::Result<void> follow(const TruthView& view, const core::DisplayTransform& display,
                               const gpu::Image& radiance, const graph::ImageDesc& desc);
@@ -30,6 +30,9 @@ class TruthPanel {
     void draw(const FrameSeen& seen, LookChoice& choice, bool* open);
     /// Whether follow() wants frames.
     [[nodiscard]] bool on() const { return on_; }
+    /// In each frame in which follow() is not called: nothing is rendered or measured any more.
+    void rest();
+    void switchOff() { on_ = false; }
 
  private:
     explicit TruthPanel(execute::CopyRing ring) : ring_(std::move(ring)) {}

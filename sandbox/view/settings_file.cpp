@@ -151,6 +151,9 @@ void read(const Json& json, ViewState& state) {
     if (json.contains("render_scale"))
         state.renderScale = static_cast<float>(
             numberOf(json["render_scale"], kLeastRenderScale, 1.0, "render_scale"));
+    if (json.contains("timestep")) state.timestep = numberOf(json["timestep"], 0, 1e6, "timestep");
+    if (json.contains("start_seconds"))
+        state.startSeconds = numberOf(json["start_seconds"], -1e6, 1e6, "start_seconds");
     if (json.contains("camera_to_world")) state.cameraToWorld = matrixOf(json["camera_to_world"]);
     if (json.contains("size")) {
         const auto side = [&](size_t i) {
@@ -197,6 +200,8 @@ std::string stateText(const ViewState& state) {
               {"walks", state.walks},
               {"time_scale", state.timeScale},
               {"render_scale", state.renderScale}};
+    if (state.timestep) json["timestep"] = *state.timestep;
+    if (state.startSeconds) json["start_seconds"] = *state.startSeconds;
     if (state.size) json["size"] = {state.size->width, state.size->height};
     if (state.cameraToWorld) {
         json["camera_to_world"] = Json::array();

@@ -26,6 +26,7 @@ struct ViewState {
     float timeScale = 1.0f;
     float renderScale = 1.0f;  ///< picture pixels a window pixel, an axis
     bool walks = false;
+    std::optional<double> timestep, startSeconds;  ///< of a record: seconds a frame, and the first
 };
 
 /// Reads what the file names into `state`, and leaves the rest as it is; a file that is not there

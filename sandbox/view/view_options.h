@@ -12,6 +12,7 @@ struct ViewOptions : Options {
     std::filesystem::path replay;       ///< --replay
     std::filesystem::path screenshots;  ///< --screenshots: a folder
     std::string shaders;                ///< --shaders: a folder, or off
+    bool displayGiven = false;          ///< --exposure or --tonemap
     bool overlay = true;
     std::optional<double> budgetMilliseconds;  ///< --budget-ms: of indirect light, on the device
     std::optional<float> renderScale;  ///< --render-scale: picture pixels a window pixel, an axis

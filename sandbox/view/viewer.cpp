@@ -20,13 +20,21 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr float kSecondsAcross = 8.0f;  // [chosen] to fly from one end of the scene to the other
+constexpr float kMostAcross = 1e4f;     // metres; what lies farther does not make the flight faster
 constexpr float kFast = 4.0f;           // with Shift
 constexpr float kLongestStep = 0.25f;   // seconds; a slow frame throws nobody out of the scene
 constexpr double kIdleSeconds = 0.1;
 constexpr double kTimestep = 1.0 / 60.0;  // seconds a frame, where --timestep does not say
 // [measured] courtyard at 1280x720 takes 5 s a frame on lavapipe with 2 cores, a sixteenth 0.6 s.
 constexpr float kCpuRenderScale = 0.25f;
+constexpr float kMostTimeScale = 32.0f;
 constexpr double kClickPixels = 4.0;  // a drag shorter than that is a click
+
+bool isFinite(const glm::mat4& matrix) {
+    for (int i = 0; i < 16; ++i)
+        if (!std::isfinite(matrix[i / 4][i % 4])) return false;
+    return true;
+}
 
 graph::Extent scaled(graph::Extent size, float scale) {
     const auto side = [scale](uint32_t pixels) {
@@ -66,6 +74,8 @@ Viewer::Viewer(const ViewOptions& options, window::Window& window, FrameLoop& lo
       budget_(settingsOf(options), options.budgetMilliseconds),
       budgetMilliseconds_(options.budgetMilliseconds),
       defaults_(settingsOf(options)),
+      timestep_(options.timestep.value_or(kTimestep)),
+      startSeconds_(options.time),
       lastPoll_(Clock::now()) {
     scene::registerComponents(registry_);
 }
@@ -76,15 +86,25 @@ core::Result<void> Viewer::prepare() {
     state_.overlay = options_.overlay;
     state_.renderScale = firstRenderScale();
     if (!options_.settings.empty()) TRY_VOID(readState(options_.settings, state_));
+    if (options_.displayGiven) state_.display = options_.display;
+    if (!options_.overlay) state_.overlay = false;
+    if (!options_.camera.empty()) state_.cameraToWorld.reset();
     if (options_.renderScale) state_.renderScale = *options_.renderScale;
     overrideBy(options_, state_.settings);
     if (!options_.replay.empty()) {
         TRY(InputLog log, readInputLog(options_.replay, options_.scene));
         TRY_VOID(parseState(log.state, state_));
+        timestep_ = state_.timestep.value_or(timestep_);
+        startSeconds_ = state_.startSeconds.value_or(startSeconds_);
         replayed_ = std::move(log.moments);
     }
     if (!state_.cameraToWorld) state_.cameraToWorld = loop_.request.camera.cameraToWorld;
-    if (!options_.record.empty()) recorder_.emplace(options_.scene, stateText(state_));
+    if (!options_.record.empty()) {
+        ViewState begun = state_;
+        begun.timestep = timestep_;
+        begun.startSeconds = startSeconds_;
+        recorder_.emplace(options_.scene, stateText(begun));
+    }
     budget_.asked = state_.settings;
     loop_.request.camera.cameraToWorld = *state_.cameraToWorld;
     play_.timeScale = state_.timeScale;
@@ -96,7 +116,7 @@ core::Result<void> Viewer::prepare() {
     }
     const overlay::Clipboard clipboard{
         [this](const std::string& text) { window_.setClipboard(text); },
-        [this] { return window_.clipboard(); }};
+        [this] { return repeatable() ? std::string{} : window_.clipboard(); }};
     TRY(overlay::Overlay made, overlay::Overlay::create(loop_.device(), clipboard));
     overlay_.emplace(std::move(made));
     overlay_->show(state_.overlay);
@@ -113,7 +133,15 @@ core::Result<void> Viewer::run() {
         const auto kept = keep();
         if (!kept.ok()) core::logError("{}", kept.error().message);
     });
-    loop_.seconds = options_.time;
+    loop_.seconds = startSeconds_;
+    const auto drawn = drawAll();
+    window_.whenDisplayIsLost({});
+    const auto kept = keep();
+    if (!drawn.ok()) return drawn;
+    return kept.ok() ? finish() : kept;
+}
+
+core::Result<void> Viewer::drawAll() {
     for (uint64_t i = 0; !window_.shouldClose() && !isLast(i);) {
         const auto moment = nextMoment();
         if (!moment) {
@@ -130,11 +158,10 @@ core::Result<void> Viewer::run() {
         TRY_VOID(draw(*moment, i));
         if (i >= options_.warmup.value_or(0)) rate_.add(Clock::now());
         if (!play_.paused || std::exchange(play_.step, false))
-            loop_.seconds +=
-                static_cast<double>(play_.timeScale) * options_.timestep.value_or(kTimestep);
+            loop_.seconds += static_cast<double>(play_.timeScale) * timestep_;
         ++i;
     }
-    return finish();
+    return {};
 }
 
 core::Result<void> Viewer::keep() {
@@ -153,8 +180,6 @@ core::Result<void> Viewer::keep() {
 }
 
 core::Result<void> Viewer::finish() {
-    window_.whenDisplayIsLost({});  // all is written here
-    TRY_VOID(keep());
     if (rate_.frames() > 0) fmt::print("{}\n", rate_.summary());
     if (overlay_->visible())
         fmt::print("overlay: {:.2f} ms of CPU time a frame\n",
@@ -208,7 +233,7 @@ void Viewer::takeKeys(const Moment& moment) {
     if (in.wasPressed(' ')) play_.paused = !play_.paused;
     if (in.wasPressed('.')) play_.step = play_.paused;
     if (in.wasPressed('[')) play_.timeScale *= 0.5f;
-    if (in.wasPressed(']')) play_.timeScale *= 2.0f;
+    if (in.wasPressed(']') && std::abs(play_.timeScale) < kMostTimeScale) play_.timeScale *= 2.0f;
     if (in.wasPressed('C')) play_.walks = !play_.walks;
     if (in.wasPressed('1')) play_.handles = overlay::HandleKind::Move;
     if (in.wasPressed('2')) play_.handles = overlay::HandleKind::Rotate;
@@ -236,9 +261,11 @@ void Viewer::drawPanels(const Moment& moment) {
                                   budget_.state()};
     const auto shaders = shaders_.status();
     panels_->draw(seen, loop_.renderer().paths(), edits, shaders, &play_);
-    if (!loop_.world().alive(selected_)) return;
-    handles_.kind = play_.handles;
-    handlesHot_ = handles_.draw(loop_.world(), selected_, loop_.request.camera, moment.size);
+    if (loop_.world().alive(selected_)) {
+        handles_.kind = play_.handles;
+        handlesHot_ = handles_.draw(loop_.world(), selected_, loop_.request.camera, moment.size);
+    }
+    overlay_->end();
 }
 
 /// A click picks, a drag turns the camera; both only where neither panels nor handles lie.
@@ -267,14 +294,16 @@ void Viewer::moveCamera(const Moment& moment) {
     input.buttons[0] = dragsCamera_;
     if (overlay_->typing()) input.held.fill(false);
     auto& camera = loop_.request.camera;
+    glm::mat4 moved = camera.cameraToWorld;
     if (play_.walks) {
-        camera.cameraToWorld =
-            walk_.walk(camera.cameraToWorld, input, loop_.snapshot(), moment.seconds);
+        moved = walk_.walk(moved, input, loop_.snapshot(), moment.seconds);
     } else {
-        const float across = glm::length(loop_.snapshot().boundsWorld.extent());
+        const float across =
+            std::min(glm::length(loop_.snapshot().boundsWorld.extent()), kMostAcross);
         const float pace = across / kSecondsAcross * (input.shift() ? kFast : 1.0f);
-        camera.cameraToWorld = fly(camera.cameraToWorld, input, pace, moment.seconds);
+        moved = fly(moved, input, pace, moment.seconds);
     }
+    if (isFinite(moved)) camera.cameraToWorld = moved;
     steerPlayer(loop_.world(), camera.cameraToWorld, input, moment.seconds);
 }
 
@@ -328,8 +357,9 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
     TRY(LoopFrame frame,
         loop_.tryDraw(number, saves ? std::string("screenshot") : std::string{}, addNodes));
     budget_.learn(frame);
-    if (saves) TRY_VOID(saveScreenshot(frame, number));
     const bool whole = frame.outcome.report.valid;
+    if (saves && whole) saveScreenshot(frame, number);
+    if (saves && !whole) play_.screenshot = true;  // the next one
     if (watch_ && whole)
         TRY_VOID(
             watch_->follow(loop_, loop_.executor().outputImage(plain), frame.declared.desc(plain)));
@@ -340,6 +370,7 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
         TRY_VOID(panels_->truth.follow(view, state_.display, loop_.executor().outputImage(radiance),
                                        frame.declared.desc(radiance)));
     }
+    if (!radiance.valid()) panels_->truth.rest();
     TRY_VOID(present(frame, shown));
     if (overlay_->visible() && whole)
         panels_->timing.add(frame.outcome.statistics, overlay_->cpuMilliseconds());
@@ -360,7 +391,7 @@ core::Result<void> Viewer::present(const LoopFrame& frame, graph::Image shown) {
     return loop_.device().waitIdle();
 }
 
-core::Result<void> Viewer::saveScreenshot(const LoopFrame& frame, uint64_t number) {
+void Viewer::saveScreenshot(const LoopFrame& frame, uint64_t number) {
     const std::filesystem::path folder =
         options_.screenshots.empty() ? std::filesystem::path(".") : options_.screenshots;
     const auto path = folder / fmt::format("lampyris_{:06}.png", number);
@@ -370,9 +401,9 @@ core::Result<void> Viewer::saveScreenshot(const LoopFrame& frame, uint64_t numbe
     for (size_t i = 0; i < image.values.size(); ++i)
         if (i % 4 != 3)
             picture.values.push_back(static_cast<uint8_t>(std::lround(255.0f * image.values[i])));
-    TRY_VOID(core::writePng(path, picture));
-    play_.message = "saved " + path.string();
-    return {};
+    const auto written = core::writePng(path, picture);
+    play_.message = written.ok() ? "saved " + path.string() : written.error().message;
+    if (!written.ok()) core::logWarning("{}", written.error().message);
 }
 
 std::string Viewer::title(const photon_gi::Renderer::Outcome& outcome) const {

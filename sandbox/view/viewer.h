@@ -36,6 +36,7 @@ class Viewer {
     core::Result<void> prepare();
     /// Writes settings and recorded inputs.
     core::Result<void> keep();
+    core::Result<void> drawAll();
     core::Result<void> finish();
     /// --render-scale, the file's, or what the device can do.
     [[nodiscard]] float firstRenderScale() const;
@@ -51,7 +52,7 @@ class Viewer {
 
     core::Result<void> draw(const Moment& moment, uint64_t number);
     core::Result<void> present(const LoopFrame& frame, graph::Image shown);
-    core::Result<void> saveScreenshot(const LoopFrame& frame, uint64_t number);
+    void saveScreenshot(const LoopFrame& frame, uint64_t number);
     [[nodiscard]] std::string title(const photon_gi::Renderer::Outcome& outcome) const;
     [[nodiscard]] bool wantsMeasurements() const;
 
@@ -68,6 +69,8 @@ class Viewer {
     LiveBudget budget_;  ///< holds the settings that are asked for
     std::optional<double> budgetMilliseconds_;
     photon_gi::Settings defaults_;
+    double timestep_ = 0.0;      ///< seconds a frame
+    double startSeconds_ = 0.0;  ///< of the scene's time
     ecs::Registry registry_;
     std::optional<overlay::Overlay> overlay_;
     std::optional<overlay::Panels> panels_;

@@ -46,15 +46,16 @@ glm::mat4 WalkCamera::walk(const glm::mat4& cameraToWorld, const window::Input& 
     const auto axis = [&](unsigned char forth, unsigned char back) {
         return static_cast<float>(input.held[forth]) - static_cast<float>(input.held[back]);
     };
-    const glm::vec3 right = glm::normalize(glm::vec3(camera[0].x, 0.0f, camera[0].z));
+    const glm::vec3 level(camera[0].x, 0.0f, camera[0].z);
+    const glm::vec3 right =
+        glm::length(level) > 1e-3f ? glm::normalize(level) : glm::vec3(1.0f, 0.0f, 0.0f);
     const glm::vec3 ahead(right.z, 0.0f, -right.x);
     glm::vec3 wish = axis('D', 'A') * right + axis('W', 'S') * ahead;
     if (glm::length(wish) > 1.0f) wish = glm::normalize(wish);
     const float pace = kMetresPerSecond * (input.shift() ? kRun : 1.0f);
     glm::vec3 eye(camera[3]);
     eye += heldUp(snapshot, eye, wish * (pace * seconds));
-    const glm::vec3 knee = eye - glm::vec3(0, kEyeMetres - kStepMetres, 0);
-    const auto ground = scene::castRay(snapshot, knee, glm::vec3(0, -1, 0));
+    const auto ground = scene::castRay(snapshot, eye, glm::vec3(0, -1, 0));
     const float floor = ground ? ground->positionWorld.y + kEyeMetres : eye.y;  // no ground: hovers
     fallMetresPerSecond_ = eye.y > floor ? fallMetresPerSecond_ + kGravity * seconds : 0.0f;
     eye.y = std::max(floor, eye.y - fallMetresPerSecond_ * seconds);

@@ -1,5 +1,5 @@
-/// \file A camera that walks: W A S D over the ground, falling where there is none, held up by
-/// walls; the left mouse button turns it.
+/// \file A camera that walks: W A S D over the ground and falling to it, hovering where there is
+/// none, held up by walls; the left mouse button turns it.
 #pragma once
 
 #include "scene/snapshot.h"
