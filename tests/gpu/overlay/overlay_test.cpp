@@ -120,6 +120,33 @@ TEST_F(OverlayNodes, TakesClicksOnItsPanelsAndLeavesTheOthers) {
     EXPECT_FALSE(pointAt(429, 39, false).second);
 }
 
+TEST_F(OverlayNodes, KnowsThatKeysGoIntoAField) {
+    constexpr graph::Extent kLarge{1280, 720};
+    Overlay overlay = need(Overlay::create(device()));
+    ecs::Registry registry;
+    scene::registerComponents(registry);
+    ScenePanel panel(registry);
+    ecs::World world = need(scene::builtinScene("cornell"));
+    ecs::Entity selected;
+    const auto frameWith = [&](bool down) {
+        window::Input input;
+        input.cursorX = 960;
+        input.cursorY = 217;
+        input.buttons[0] = down;
+        overlay.begin(input, kLarge, kLarge, 0.1);
+        bool open = true;
+        panel.draw(world, selected, &open);
+        overlay.end();
+    };
+    for (int i = 0; i < 3; ++i) frameWith(false);
+    EXPECT_FALSE(overlay.typing());
+    frameWith(true);
+    for (int i = 0; i < 3; ++i) frameWith(false);
+    EXPECT_TRUE(overlay.typing()) << "before the next frame begins, too";
+    overlay.show(false);
+    EXPECT_FALSE(overlay.typing());
+}
+
 TEST_F(OverlayNodes, LooksAtAnImageWithItsRangeAndHistogram) {
     ImageLook look = need(ImageLook::create(device()));
     look.choice.name = "shown";
