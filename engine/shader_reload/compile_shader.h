@@ -17,7 +17,7 @@ struct ShaderSource {
     std::vector<std::string> definitions{};  ///< as for -D: "MASKED=1"
 };
 
-/// Files that an #include of `includer` may mean, the first that exists first; below the folder.
+/// Files that an include of `includer` may mean, the first that exists first; below the folder.
 [[nodiscard]] std::vector<std::string> includeCandidates(const std::string& includer,
                                                          const std::string& name);
 
