@@ -166,7 +166,7 @@ core::Result<void> Viewer::drawAll() {
 
 core::Result<void> Viewer::keep() {
     if (recorder_) TRY_VOID(recorder_->write(options_.record));
-    if (options_.settings.empty()) return {};
+    if (options_.settings.empty() || !replayed_.empty()) return {};  // a replay is not the user's
     state_.settings = budget_.asked;
     state_.panels = panels_->open;
     state_.overlay = overlay_->visible();
@@ -175,7 +175,7 @@ core::Result<void> Viewer::keep() {
     state_.walks = play_.walks;
     state_.renderScale = play_.renderScale;
     state_.fullScreen = window_.fullScreen();
-    if (!state_.fullScreen) state_.size = windowSize_;
+    if (!state_.fullScreen && windowSize_) state_.size = windowSize_;
     return writeState(options_.settings, state_);
 }
 

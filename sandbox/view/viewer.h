@@ -77,7 +77,7 @@ class Viewer {
     overlay::PlayControls play_;
     overlay::Handles handles_;
     ecs::Entity selected_;
-    graph::Extent windowSize_{};  ///< pixels
+    std::optional<graph::Extent> windowSize_;  ///< pixels, of the last frame
     WalkCamera walk_;
     std::optional<LoopFrame> last_;  ///< the last frame, for the panels
 

@@ -165,12 +165,17 @@ TEST_F(ViewOverlay, ComesBackFromTheTaskBarAndFromFullScreen) {
 }
 
 TEST_F(ViewOverlay, EndsWhereItIsClosedWhileItLoads) {
-    const auto view = start({programPath(), "view", "cornell_statue", "--size", "160x90"});
+    const std::string file = folder_ / "a.json";
+    const auto view =
+        start({programPath(), "view", "cornell_statue", "--size", "160x90", "--settings", file});
     ASSERT_TRUE(eventually([&] {
         return !ask({"search", "--name", "lampyris: cornell_statue"}).empty();
     }));
     (void)ask({"search", "--name", "lampyris: cornell_statue", "windowfocus", "key", "Escape"});
     expectQuietEnd(*view);
+    // No frame may have been drawn, so there may be no size to keep; never one of no window.
+    const nlohmann::json drawn{160, 90};
+    EXPECT_EQ(jsonOf(file).value("size", drawn), drawn);
 }
 
 TEST_F(ViewOverlay, EndsWithOneLineWhereItsDisplayIsLost) {
