@@ -190,5 +190,14 @@ TEST_F(Extract, ASpotShinesAlongItsMinusZ) {
     EXPECT_EQ(now.lights[1].cosOuterCone, 0.5f);
 }
 
+TEST_F(Extract, ShowsNothingForAMeshAndTheDefaultForAMaterialThatTheLibraryLacks) {
+    world.set(first, MeshInstance{MeshId{99}, paint});
+    world.set(second, MeshInstance{world.get<MeshInstance>(second).mesh, MaterialId{99}});
+    update();
+    ASSERT_EQ(now.instances.size(), 1u);
+    EXPECT_EQ(now.instances.front().entity, second);
+    EXPECT_EQ(now.instances.front().material, kDefaultMaterial.value);
+}
+
 }  // namespace
 }  // namespace lampyris::scene
