@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -18,15 +19,18 @@ constexpr uint32_t kMaxHistory = 4096;
 constexpr uint32_t kMaxShadowRays = 31;
 constexpr uint32_t kMaxFilterLevels = 5;
 
-const std::map<std::string, Pipeline> kPipelines{
-    {"full", Pipeline::Full}, {"thesis", Pipeline::Thesis}, {"direct", Pipeline::Direct}};
+template <typename Enum, size_t N>
+std::map<std::string, Enum> named(const std::array<const char*, N>& names) {
+    std::map<std::string, Enum> choices;
+    for (size_t i = 0; i < N; ++i) choices.emplace(names[i], static_cast<Enum>(i));
+    return choices;
+}
+
+const auto kPipelines = named<Pipeline>(photon_gi::kPipelineNames);
+const auto kGathers = named<photon_gi::Gather>(photon_gi::kGatherNames);
+const auto kRetraces = named<photon_gi::Retrace>(photon_gi::kRetraceNames);
 const std::map<std::string, Quality> kQualities{{"fast", Quality::Fast}, {"fine", Quality::Fine}};
-const std::map<std::string, core::Tonemap> kTonemaps{{"clip", core::Tonemap::Clip},
-                                                     {"filmic", core::Tonemap::Filmic}};
-const std::map<std::string, photon_gi::Retrace> kRetraces{{"auto", photon_gi::Retrace::Auto},
-                                                          {"all", photon_gi::Retrace::All}};
-const std::map<std::string, photon_gi::Gather> kGathers{{"tiles", photon_gi::Gather::Tiles},
-                                                        {"final", photon_gi::Gather::Final}};
+const auto kTonemaps = named<core::Tonemap>(core::kTonemapNames);
 const std::map<std::string, bool> kSwitch{{"on", true}, {"off", false}};
 
 /// What follows from cost, in `full`.
@@ -211,20 +215,6 @@ photon_gi::Settings settingsOf(const Options& o) {
 
 graph::Extent sizeOf(const Options& o) {
     return o.size.value_or(kDefaultSize);
-}
-
-const char* name(Pipeline pipeline) {
-    for (const auto& [word, value] : kPipelines)
-        if (value == pipeline) return word.c_str();
-    return "";
-}
-
-const char* name(photon_gi::Gather gather) {
-    return gather == photon_gi::Gather::Final ? "final" : "tiles";
-}
-
-const char* name(photon_gi::Retrace retrace) {
-    return retrace == photon_gi::Retrace::Auto ? "auto" : "all";
 }
 
 const char* name(Quality quality) {

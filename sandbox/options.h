@@ -70,9 +70,6 @@ core::Result<void> checkOutputs(const Options& options);
 [[nodiscard]] photon_gi::Settings settingsOf(const Options& options);
 [[nodiscard]] graph::Extent sizeOf(const Options& options);
 
-[[nodiscard]] const char* name(photon_gi::Pipeline pipeline);
-[[nodiscard]] const char* name(photon_gi::Retrace retrace);
 [[nodiscard]] const char* name(Quality quality);
-[[nodiscard]] const char* name(photon_gi::Gather gather);
 
 }  // namespace lampyris::sandbox

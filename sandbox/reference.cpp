@@ -100,6 +100,7 @@ core::Result<void> render(const ReferenceOptions& o) {
         return reference::render(snapshot, camera, settingsOf(o),
                                  [&](uint64_t done, uint64_t total) {
                                      progress.show(done * o.samplesPerPixel / total);
+                                     return true;
                                  });
     };
     TRY(const reference::Rendered rendered, trace());

@@ -73,7 +73,7 @@ Json settingsJson(const Options& o) {
             {"timestep", o.timestep.value_or(0.0)},
             {"warmup", o.warmup.value_or(0)},
             {"exposure", o.display.exposureEv},
-            {"tonemap", o.display.tonemap == core::Tonemap::Filmic ? "filmic" : "clip"},
+            {"tonemap", core::name(o.display.tonemap)},
             {"output_node", o.outputNode}};
 }
 

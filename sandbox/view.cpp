@@ -81,7 +81,8 @@ void addView(CLI::App& program, Command& called) {
     addFileOptions(*app, *options);
     app->add_flag("--overlay,!--no-overlay", options->overlay, "panels at the start (on; F1)");
     app->callback([app, options, &called] {
-        options->displayGiven = app->count("--exposure") + app->count("--tonemap") > 0;
+        for (const CLI::Option* option : app->get_options())
+            if (option->count() > 0) options->given.insert(option->get_name());
         called.check = [options] { return checkView(*options); };
         called.run = [options] { return viewScene(*options); };
     });

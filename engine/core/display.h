@@ -1,11 +1,19 @@
 /// \file From linear radiance to what a screen shows: exposure, tone map, sRGB, 8 bits.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "core/image.h"
 
 namespace lampyris::core {
 
 enum class Tonemap { Clip, Filmic };
+/// What options and files call them, in their order.
+inline constexpr std::array kTonemapNames{"clip", "filmic"};
+[[nodiscard]] constexpr const char* name(Tonemap t) {
+    return kTonemapNames[static_cast<size_t>(t)];
+}
 
 struct DisplayTransform {
     float exposureEv = 0.0f;  ///< radiance is multiplied by 2^EV

@@ -53,6 +53,7 @@ struct Window::State {
     GLFWwindow* window = nullptr;
     Input input;
     bool closeRequested = false;
+    bool inputSeen = false;  ///< what the last poll found may be forgotten
     std::optional<Place> beforeFullScreen;
 };
 
@@ -115,12 +116,10 @@ Window::~Window() {
 
 void Window::poll() {
     Input& input = state_->input;
-    input.pressed.fill(false);
-    input.clicked.fill(false);
-    input.typed.clear();
-    input.scrolled = 0.0;
+    forgetSeenInput();
     watchX11Errors();
     glfwPollEvents();
+    state_->inputSeen = true;
     const double oldX = std::exchange(input.cursorX, 0.0);
     const double oldY = std::exchange(input.cursorY, 0.0);
     glfwGetCursorPos(state_->window, &input.cursorX, &input.cursorY);
@@ -131,7 +130,17 @@ void Window::poll() {
             glfwGetMouseButton(state_->window, static_cast<int>(button)) == GLFW_PRESS;
 }
 
+void Window::forgetSeenInput() {
+    if (!std::exchange(state_->inputSeen, false)) return;
+    Input& input = state_->input;
+    input.pressed.fill(false);
+    input.clicked.fill(false);
+    input.typed.clear();
+    input.scrolled = 0.0;
+}
+
 void Window::waitForEvents(double seconds) {
+    forgetSeenInput();
     glfwWaitEventsTimeout(seconds);
 }
 
@@ -140,7 +149,7 @@ const Input& Window::input() const {
 }
 
 bool Window::shouldClose() const {
-    return state_->closeRequested || x11WindowWasDestroyed() ||
+    return state_->closeRequested || x11WindowWasDestroyed(state_->window) ||
            glfwWindowShouldClose(state_->window) == GLFW_TRUE;
 }
 

@@ -76,7 +76,8 @@ class Window {
 
     /// Takes in what happened. Call once a frame, on the thread that made the window.
     void poll();
-    /// Sleeps until something happens, at most so long: for a minimised window.
+    /// Sleeps until something happens, at most so long: for a minimised window. What was pressed
+    /// meanwhile is in the next poll().
     void waitForEvents(double seconds);
     [[nodiscard]] const Input& input() const;
 
@@ -105,6 +106,8 @@ class Window {
     [[nodiscard]] GLFWwindow* handle() const;
 
  private:
+    void forgetSeenInput();
+
     struct State;
     explicit Window(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;

@@ -1,9 +1,13 @@
 #include "window/x11_errors.h"
 
-#include <X11/Xlib.h>
+#define GLFW_INCLUDE_NONE
+#define GLFW_EXPOSE_NATIVE_X11
+#include <GLFW/glfw3.h>
+#include <GLFW/glfw3native.h>
 
-#include <atomic>
 #include <cstdlib>
+#include <mutex>
+#include <set>
 #include <utility>
 
 #include "core/log.h"
@@ -11,10 +15,31 @@
 namespace lampyris::window {
 namespace {
 
-std::atomic<bool> windowGone{false};
+/// What errors say is gone. They come on any thread that speaks with the display.
+class Gone {
+ public:
+    void add(XID id) {
+        const std::scoped_lock lock(mutex_);
+        ids_.insert(id);
+    }
+    [[nodiscard]] bool has(XID id) const {
+        const std::scoped_lock lock(mutex_);
+        return ids_.count(id) > 0;
+    }
+
+ private:
+    mutable std::mutex mutex_;
+    std::set<XID> ids_;
+};
+
+Gone& gone() {
+    static Gone ids;
+    return ids;
+}
 
 int onError(Display*, XErrorEvent* event) {
-    if (event->error_code == BadWindow || event->error_code == BadDrawable) windowGone = true;
+    if (event->error_code == BadWindow || event->error_code == BadDrawable)
+        gone().add(event->resourceid);
     core::logDebug("X11 error {} at request {}", static_cast<int>(event->error_code),
                    static_cast<int>(event->request_code));
     return 0;
@@ -44,8 +69,8 @@ void watchX11Errors() {
     XSetErrorHandler(onError);
 }
 
-bool x11WindowWasDestroyed() {
-    return windowGone;
+bool x11WindowWasDestroyed(GLFWwindow* window) {
+    return gone().has(glfwGetX11Window(window));
 }
 
 }  // namespace lampyris::window

@@ -3,6 +3,8 @@
 
 #include <functional>
 
+struct GLFWwindow;
+
 namespace lampyris::window {
 
 /// Catches protocol errors from now on. GLFW puts the deadly handler back now and then, so this is
@@ -13,8 +15,7 @@ void watchX11Errors();
 /// breaks, after `last` was called. Xlib cannot go on then, and would end it with words of its own.
 void endWhereX11IsLost(std::function<void()> last);
 
-/// Whether an error said that the window or what is drawn into it is gone: somebody destroyed it
-/// under the program.
-[[nodiscard]] bool x11WindowWasDestroyed();
+/// Whether an error said that this window is gone: somebody destroyed it under the program.
+[[nodiscard]] bool x11WindowWasDestroyed(GLFWwindow* window);
 
 }  // namespace lampyris::window

@@ -37,9 +37,14 @@ const char* originText(graph::Origin origin) {
     return "";
 }
 
+/// An image that is there before the overlay is drawn.
+bool canBeLookedAt(const graph::ResourceInfo& info) {
+    return info.isImage && info.name.rfind("overlay ", 0) != 0;
+}
+
 /// A name to click on; images are chosen to be looked at.
 void nameOf(const graph::ResourceInfo& info, LookChoice& choice) {
-    if (!info.isImage) return text(info.name);
+    if (!canBeLookedAt(info)) return text(info.name);
     if (ImGui::Selectable(info.name.c_str(), choice.name == info.name))
         choice.name = choice.name == info.name ? std::string{} : info.name;
     if (ImGui::IsItemHovered())
@@ -155,7 +160,7 @@ void drawHeap(const FrameSeen& seen, uint32_t heap, LookChoice& choice) {
         const graph::ResourceInfo& info = seen.declared.resources()[i];
         ImGui::SetTooltip("%s, %s, steps %u to %u", info.name.c_str(), sizeText(made.bytes).c_str(),
                           made.firstStep, made.lastStep);
-        if (info.isImage && ImGui::IsMouseClicked(0)) choice.name = info.name;
+        if (canBeLookedAt(info) && ImGui::IsMouseClicked(0)) choice.name = info.name;
     }
 }
 

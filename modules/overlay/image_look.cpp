@@ -105,6 +105,7 @@ graph::Image ImageLook::addNode(graph::Frame& frame) {
                                                   graph::Access::HostRead);
     (void)keep.copy(findings, 0, kept, 0, sizeof(shared::LookFindings));
     written_[next_] = true;
+    cursors_[next_] = choice.cursor;
     next_ = 1 - next_;
     return shown;
 }

@@ -37,6 +37,8 @@ class ImageLook {
 
     /// Of two frames ago; nothing before there were any.
     [[nodiscard]] const shared::LookFindings* findings() const;
+    /// The texel under the cursor that findings() are of.
+    [[nodiscard]] const std::optional<glm::uvec2>& cursor() const { return cursors_[next_]; }
     [[nodiscard]] const graph::ImageDesc& desc() const { return desc_; }  ///< of what is looked at
     /// The least and the most finite value over what is shown.
     [[nodiscard]] std::array<float, 2> range() const;
@@ -45,6 +47,7 @@ class ImageLook {
     explicit ImageLook(std::array<gpu::Buffer, 2> buffers) : buffers_(std::move(buffers)) {}
     std::array<gpu::Buffer, 2> buffers_;  ///< in turn; the device writes one, the host reads one
     std::array<bool, 2> written_{};
+    std::array<std::optional<glm::uvec2>, 2> cursors_;
     size_t next_ = 0;
     std::string shownName_;
     graph::ImageDesc desc_;

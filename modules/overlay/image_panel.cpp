@@ -51,10 +51,10 @@ void drawPicture(LookChoice& choice, const graph::ImageDesc& desc) {
 void drawFindings(const ImageLook& look) {
     const shared::LookFindings* const found = look.findings();
     if (found == nullptr) return;
-    if (look.choice.cursor) {
+    if (look.cursor()) {
         const glm::vec4 v = found->underCursor;
         const glm::uvec4 bits = found->bitsUnderCursor;
-        const glm::uvec2 at = *look.choice.cursor;
+        const glm::uvec2 at = *look.cursor();
         const graph::Format format = look.desc().format;
         const bool whole = format == graph::Format::R32Uint || format == graph::Format::RGBA32Uint;
         text(whole

@@ -61,6 +61,19 @@ bool editNumber(const char* label, Json& value) {
     return true;
 }
 
+/// A half-written name is no name: it counts once the field is left, by Enter or for another.
+bool editText(const char* label, Json& value) {
+    static std::string typed;  // ImGui forgets it in the frame that leaves the field
+    std::string words = value.get<std::string>();
+    const bool entered = ImGui::InputText(label, &words, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (ImGui::IsItemActive()) typed = words;
+    const bool dropped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool left = ImGui::IsItemDeactivatedAfterEdit() && !dropped;
+    if (!entered && !left) return false;
+    value = entered ? words : typed;
+    return true;
+}
+
 bool editOne(const char* label, Json& value);
 
 bool editList(const char* label, Json& value) {
@@ -87,11 +100,7 @@ bool editOne(const char* label, Json& value) {
         return true;
     }
     if (value.is_string()) {
-        std::string words = value.get<std::string>();
-        // A half-written name is no name: it counts once the field is left.
-        if (!ImGui::InputText(label, &words, ImGuiInputTextFlags_EnterReturnsTrue)) return false;
-        value = words;
-        return true;
+        return editText(label, value);
     }
     if (value.is_object()) {
         if (!ImGui::TreeNodeEx(label, ImGuiTreeNodeFlags_DefaultOpen)) return false;

@@ -100,8 +100,7 @@ graph::Image addHeat(graph::Frame& frame, const photon_gi::Insides& insides,
     if (tiles) {
         node.read(shared::SLOT_HEAT_RANGES, insides.tileRanges);
     } else {
-        const graph::Extent texels = frame.desc(insides.mean).extent;
-        params.divisor = (extent.width + texels.width - 1) / texels.width;
+        params.divisor = insides.meanDivisor;
         node.sample(shared::SLOT_HEAT_MEAN, insides.mean);
     }
     node.push(params);

@@ -31,7 +31,7 @@ std::span<const SettingInfo> settingList() {
                     "Most frames in the mean of light; what moves is left out of it."},
         SettingInfo{"grid columns", "rays", &S::gridColumns, 1, 64, false,
                     "Rays that measure how much surface lies in a cell of the grid."},
-        SettingInfo{"light cut-off", "", &S::lightCutoff, 0, 1e6, true,
+        SettingInfo{"light cutoff", "", &S::lightCutoff, 0, 1e6, true,
                     "Share of the mean direct light under which a light's reach ends; 0: never."},
         SettingInfo{"seed", "", &S::seed, 0, 4294967295.0, false, "Of all random numbers."},
         SettingInfo{"reseed", "", &S::reseed, 0, 0, false, "Paths are drawn anew in every frame."},

@@ -17,10 +17,10 @@ using photon_gi::Settings;
 
 constexpr double kFirstBudget = 10.0;  // ms, where a budget is switched on
 
-template <typename Enum>
-void editChoice(Enum& value, std::initializer_list<const char*> names) {
+template <typename Enum, size_t N>
+void editChoice(Enum& value, const std::array<const char*, N>& names) {
     int index = static_cast<int>(value);
-    if (ImGui::Combo("##value", &index, names.begin(), static_cast<int>(names.size())))
+    if (ImGui::Combo("##value", &index, names.data(), static_cast<int>(N)))
         value = static_cast<Enum>(index);
 }
 
@@ -61,13 +61,13 @@ struct Editor {
     }
     void operator()(bool Settings::*field) const { ImGui::Checkbox("##value", &(settings.*field)); }
     void operator()(photon_gi::Pipeline Settings::*field) const {
-        editChoice(settings.*field, {"full", "thesis", "direct"});
+        editChoice(settings.*field, photon_gi::kPipelineNames);
     }
     void operator()(photon_gi::Gather Settings::*field) const {
-        editChoice(settings.*field, {"tiles", "final"});
+        editChoice(settings.*field, photon_gi::kGatherNames);
     }
     void operator()(photon_gi::Retrace Settings::*field) const {
-        editChoice(settings.*field, {"auto", "all"});
+        editChoice(settings.*field, photon_gi::kRetraceNames);
     }
 };
 
@@ -80,15 +80,9 @@ struct TextOf {
         return fmt::format("{:g}", settings.*field);
     }
     std::string operator()(bool Settings::*field) const { return settings.*field ? "on" : "off"; }
-    std::string operator()(photon_gi::Pipeline Settings::*field) const {
-        constexpr std::array kNames{"full", "thesis", "direct"};
-        return kNames[static_cast<size_t>(settings.*field)];
-    }
-    std::string operator()(photon_gi::Gather Settings::*field) const {
-        return settings.*field == photon_gi::Gather::Tiles ? "tiles" : "final";
-    }
-    std::string operator()(photon_gi::Retrace Settings::*field) const {
-        return settings.*field == photon_gi::Retrace::Auto ? "auto" : "all";
+    template <typename Enum>
+    std::string operator()(Enum Settings::*field) const {
+        return name(settings.*field);
     }
 };
 
@@ -153,7 +147,8 @@ void drawSettingsPanel(Settings& settings, const Settings& defaults,
                            ImGuiSliderFlags_AlwaysClamp);
         int tonemap = static_cast<int>(display.tonemap);
         ImGui::SetNextItemWidth(160.0f);
-        if (ImGui::Combo("tone map", &tonemap, "clip\0filmic\0"))
+        if (ImGui::Combo("tone map", &tonemap, core::kTonemapNames.data(),
+                         static_cast<int>(core::kTonemapNames.size())))
             display.tonemap = static_cast<core::Tonemap>(tonemap);
         if (budget.milliseconds != nullptr) drawBudget(*budget.milliseconds, budget.state);
         const auto flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable;

@@ -171,10 +171,14 @@ bool TruthWorker::refine(std::unique_lock<std::mutex>& lock) {
         static_cast<uint32_t>(kRoundSeconds / std::max(each, 1e-3)), kLeastRound, kMostRound);
     lock.unlock();
     const auto begin = Clock::now();
-    const auto rendered = reference::render(view.snapshot, view.camera, settings);
+    const auto wanted = [&](uint64_t, uint64_t) {
+        const std::scoped_lock held(mutex_);
+        return !ends_ && asked == views_;
+    };
+    const auto rendered = reference::render(view.snapshot, view.camera, settings, wanted);
     const double seconds = secondsSince(begin);
     lock.lock();
-    if (asked != views_) return true;  // it is another view by now
+    if (ends_ || asked != views_) return true;  // it is another view by now
     if (!rendered.ok()) {
         state_.error = rendered.error().message;
         return false;

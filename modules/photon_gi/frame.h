@@ -38,6 +38,7 @@ struct Insides {
     photons::PhotonList photons{};  ///< of the last batch
     graph::Buffer tileRanges{};     ///< of the last batch; uvec2 a tile: first index, count
     graph::Image mean{};            ///< low resolution, a = frames in the mean of light
+    uint32_t meanDivisor = 1;       ///< pixels a texel of it, an axis
     accel::AccelHandles accel{};
 };
 

@@ -43,6 +43,7 @@ JoinedIrradiance addGridGather(graph::Frame& f, const FrameInputs& in, const Set
         addFinalHistory(f, surface, rough.coarse, motion, in.past, historyFrames(s), gather);
     out.insides.photons = photons;
     out.insides.mean = mean.mean;
+    out.insides.meanDivisor = s.gatherDivisor;
     const auto smooth = addFinalFilter(f, surface, mean, gather);
     const auto joined = addFinalUpsample(f, surface, world, smooth, cells.counters, gather);
     if (guided(s) && photons.pathCount == in.paths.paths)

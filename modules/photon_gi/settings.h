@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "math/glm.h"
@@ -26,6 +27,20 @@ enum class Retrace : uint8_t {
     Auto,  ///< `full` keeps it
     All,   ///< everything is traced anew in every frame
 };
+
+/// What options, files and panels call them, in their order.
+inline constexpr std::array kPipelineNames{"full", "thesis", "direct"};
+inline constexpr std::array kGatherNames{"tiles", "final"};
+inline constexpr std::array kRetraceNames{"auto", "all"};
+[[nodiscard]] constexpr const char* name(Pipeline p) {
+    return kPipelineNames[static_cast<size_t>(p)];
+}
+[[nodiscard]] constexpr const char* name(Gather g) {
+    return kGatherNames[static_cast<size_t>(g)];
+}
+[[nodiscard]] constexpr const char* name(Retrace r) {
+    return kRetraceNames[static_cast<size_t>(r)];
+}
 
 /// Defaults are those of the program's options.
 struct Settings {

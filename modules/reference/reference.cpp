@@ -30,7 +30,7 @@ core::Result<void> checkMemory(const Settings& settings) {
                        settings.height, needed >> 20u, there >> 20u);
 }
 
-/// Tells one thread at a time how far all have come.
+/// Tells one thread at a time how far all have come, and hears whether to go on.
 class Meter {
  public:
     Meter(const ProgressFunction& tell, uint64_t total) : tell_(tell), total_(total) {}
@@ -38,13 +38,15 @@ class Meter {
         if (!tell_ || total_ == 0) return;
         const std::lock_guard lock(mutex_);
         done_ += samples;
-        tell_(std::min(done_, total_), total_);
+        if (!tell_(std::min(done_, total_), total_)) stopped_ = true;
     }
+    [[nodiscard]] bool stopped() const { return stopped_; }
 
  private:
     const ProgressFunction& tell_;
     std::mutex mutex_;
     uint64_t done_ = 0, total_;
+    std::atomic<bool> stopped_{false};
 };
 
 class Render {
@@ -58,12 +60,13 @@ class Render {
           film_(settings.width, settings.height, sequences_),
           meter_(progress, uint64_t{settings.width} * settings.height * settings.samplesPerPixel) {}
 
-    Rendered run() {
+    core::Result<Rendered> run() {
         const auto start = std::chrono::steady_clock::now();
         uint32_t taken = 0;
         do {
             const uint32_t until = std::min(taken + kRound, settings_.samplesPerPixel);
             takeRound(taken, until);
+            if (meter_.stopped()) return core::error("the reference was stopped");
             taken = until;
         } while (taken < settings_.samplesPerPixel && !goodEnough(taken));
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -84,6 +87,7 @@ class Render {
         const uint32_t columns = (settings_.width + kTile - 1) / kTile;
         const uint32_t rows = (settings_.height + kTile - 1) / kTile;
         shareOut(columns * rows, settings_.threads, [&](uint32_t tile) {
+            if (meter_.stopped()) return;
             PathTracer tracer(stage_, settings_.maxBounces, settings_.transport);
             const uint32_t left = tile % columns * kTile, top = tile / columns * kTile;
             const uint32_t right = std::min(left + kTile, settings_.width);

@@ -69,10 +69,10 @@ constexpr std::array<std::string_view, 10> kImageNames{"final",
 [[nodiscard]] bool showsLight(std::string_view name);
 
 /// Called now and then, from any one thread at a time: samples taken, and those asked for, of all
-/// pixels together.
-using ProgressFunction = std::function<void(uint64_t done, uint64_t total)>;
+/// pixels together. False stops the render.
+using ProgressFunction = std::function<bool(uint64_t done, uint64_t total)>;
 
-/// Same arguments, same bytes. Errors: a picture or scene that memory does not hold.
+/// Same arguments, same bytes. Errors: a picture or scene that memory does not hold; stopped.
 core::Result<Rendered> render(const scene::SceneSnapshot& snapshot,
                               const scene::SnapshotCamera& camera, const Settings& settings,
                               const ProgressFunction& progress = {});

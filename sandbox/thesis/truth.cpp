@@ -66,6 +66,7 @@ core::Result<Halves> renderHalves(const Study& study, const std::string& scene) 
         TRY(auto rendered,
             reference::render(snapshot, camera, settings, [&](uint64_t done, uint64_t total) {
                 progress.show(100 * done / total);
+                return true;
             }));
         core::releaseLog();
         halves[i] = std::move(rendered.final);

@@ -16,11 +16,6 @@ using Json = nlohmann::ordered_json;
 using overlay::SettingInfo;
 using photon_gi::Settings;
 
-constexpr std::array kPipelines{"full", "thesis", "direct"};
-constexpr std::array kGathers{"tiles", "final"};
-constexpr std::array kRetraces{"auto", "all"};
-constexpr std::array kTonemaps{"clip", "filmic"};
-
 /// "max bounces" as "max_bounces".
 std::string keyOf(const char* name) {
     std::string key(name);
@@ -64,17 +59,12 @@ double numberOf(const Json& value, double least, double most, const std::string&
 
 struct Writer {
     const Settings& s;
-    Json operator()(uint32_t Settings::*field) const { return s.*field; }
-    Json operator()(float Settings::*field) const { return s.*field; }
-    Json operator()(bool Settings::*field) const { return s.*field; }
-    Json operator()(photon_gi::Pipeline Settings::*field) const {
-        return kPipelines[static_cast<size_t>(s.*field)];
-    }
-    Json operator()(photon_gi::Gather Settings::*field) const {
-        return kGathers[static_cast<size_t>(s.*field)];
-    }
-    Json operator()(photon_gi::Retrace Settings::*field) const {
-        return kRetraces[static_cast<size_t>(s.*field)];
+    template <typename T>
+    Json operator()(T Settings::*field) const {
+        if constexpr (std::is_enum_v<T>)
+            return name(s.*field);
+        else
+            return s.*field;
     }
 };
 
@@ -94,13 +84,13 @@ struct Reader {
     }
     void operator()(bool Settings::*field) const { s.*field = value.get<bool>(); }
     void operator()(photon_gi::Pipeline Settings::*field) const {
-        s.*field = static_cast<photon_gi::Pipeline>(choiceOf(value, kPipelines, key));
+        s.*field = static_cast<photon_gi::Pipeline>(choiceOf(value, photon_gi::kPipelineNames, key));
     }
     void operator()(photon_gi::Gather Settings::*field) const {
-        s.*field = static_cast<photon_gi::Gather>(choiceOf(value, kGathers, key));
+        s.*field = static_cast<photon_gi::Gather>(choiceOf(value, photon_gi::kGatherNames, key));
     }
     void operator()(photon_gi::Retrace Settings::*field) const {
-        s.*field = static_cast<photon_gi::Retrace>(choiceOf(value, kRetraces, key));
+        s.*field = static_cast<photon_gi::Retrace>(choiceOf(value, photon_gi::kRetraceNames, key));
     }
 };
 
@@ -142,7 +132,7 @@ void read(const Json& json, ViewState& state) {
             static_cast<float>(numberOf(json["exposure"], -100, 100, "exposure"));
     if (json.contains("tonemap"))
         state.display.tonemap =
-            static_cast<core::Tonemap>(choiceOf(json["tonemap"], kTonemaps, "tonemap"));
+            static_cast<core::Tonemap>(choiceOf(json["tonemap"], core::kTonemapNames, "tonemap"));
     if (json.contains("overlay")) state.overlay = json["overlay"].get<bool>();
     if (json.contains("full_screen")) state.fullScreen = json["full_screen"].get<bool>();
     if (json.contains("walks")) state.walks = json["walks"].get<bool>();
@@ -193,7 +183,7 @@ std::string stateText(const ViewState& state) {
     for (const Panel& panel : kPanels) panels[panel.name] = state.panels.*panel.open;
     Json json{{"settings", settings},
               {"exposure", state.display.exposureEv},
-              {"tonemap", kTonemaps[static_cast<size_t>(state.display.tonemap)]},
+              {"tonemap", core::name(state.display.tonemap)},
               {"panels", panels},
               {"overlay", state.overlay},
               {"full_screen", state.fullScreen},

@@ -1,6 +1,9 @@
 /// \file What `lampyris view` takes besides the options of every frame.
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "options.h"
 
 namespace lampyris::sandbox {
@@ -12,7 +15,7 @@ struct ViewOptions : Options {
     std::filesystem::path replay;       ///< --replay
     std::filesystem::path screenshots;  ///< --screenshots: a folder
     std::string shaders;                ///< --shaders: a folder, or off
-    bool displayGiven = false;          ///< --exposure or --tonemap
+    std::set<std::string> given;        ///< names of the options that the call has, with dashes
     bool overlay = true;
     std::optional<double> budgetMilliseconds;  ///< --budget-ms: of indirect light, on the device
     std::optional<float> renderScale;  ///< --render-scale: picture pixels a window pixel, an axis

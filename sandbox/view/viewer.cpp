@@ -50,16 +50,25 @@ graph::Image addEnlarged(graph::Frame& frame, graph::Image shown, graph::Extent 
     return node.blit(shown, frame.image("window", {frame.desc(shown).format, size}));
 }
 
-/// Options that were given stand against what a file says.
-void overrideBy(const Options& options, photon_gi::Settings& settings) {
+/// Options that were given stand against what a file says, and so does what follows from them.
+void overrideBy(const ViewOptions& options, ViewState& state) {
     const photon_gi::Settings asked = settingsOf(options);
     const photon_gi::Settings usual = settingsOf(Options{});
-    for (const overlay::SettingInfo& info : overlay::settingList())
-        std::visit(
-            [&](auto field) {
-                if (asked.*field != usual.*field) settings.*field = asked.*field;
-            },
-            info.field);
+    for (const overlay::SettingInfo& info : overlay::settingList()) {
+        std::string option = fmt::format("--{}", info.name);
+        std::replace(option.begin(), option.end(), ' ', '-');
+        const bool given = options.given.count(option) > 0;
+        const auto take = [&](auto field) {
+            if (given || asked.*field != usual.*field) state.settings.*field = asked.*field;
+        };
+        std::visit(take, info.field);
+    }
+    if (options.given.count("--exposure") > 0)
+        state.display.exposureEv = options.display.exposureEv;
+    if (options.given.count("--tonemap") > 0) state.display.tonemap = options.display.tonemap;
+    if (options.given.count("--overlay") > 0) state.overlay = options.overlay;
+    if (options.given.count("--camera") > 0) state.cameraToWorld.reset();
+    if (options.renderScale) state.renderScale = *options.renderScale;
 }
 
 }  // namespace
@@ -86,11 +95,7 @@ core::Result<void> Viewer::prepare() {
     state_.overlay = options_.overlay;
     state_.renderScale = firstRenderScale();
     if (!options_.settings.empty()) TRY_VOID(readState(options_.settings, state_));
-    if (options_.displayGiven) state_.display = options_.display;
-    if (!options_.overlay) state_.overlay = false;
-    if (!options_.camera.empty()) state_.cameraToWorld.reset();
-    if (options_.renderScale) state_.renderScale = *options_.renderScale;
-    overrideBy(options_, state_.settings);
+    overrideBy(options_, state_);
     if (!options_.replay.empty()) {
         TRY(InputLog log, readInputLog(options_.replay, options_.scene));
         TRY_VOID(parseState(log.state, state_));

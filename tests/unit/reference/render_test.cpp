@@ -220,6 +220,7 @@ TEST(Render, CountsItsRaysAndTellsHowFarItIs) {
                                    last = done;
                                    total = all;
                                    ++calls;
+                                   return true;
                                });
     ASSERT_TRUE(result.ok());
     EXPECT_EQ(last, 64u * 36u * 18u);
@@ -229,11 +230,25 @@ TEST(Render, CountsItsRaysAndTellsHowFarItIs) {
     EXPECT_GT(result.value().seconds, 0.0);
 }
 
+TEST(Render, StopsSoonWhereItIsTold) {
+    uint64_t calls = 0;
+    Settings settings = settingsFor(512, 512, 64);
+    settings.threads = 1;
+    const auto result = render(cornell(), cornell().cameras.front(), settings,
+                               [&](uint64_t, uint64_t) { return ++calls < 3; });
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().message, "the reference was stopped");
+    EXPECT_EQ(calls, 3u);
+}
+
 TEST(Render, WithoutSamplesHasWhatNeedsNone) {
     Settings settings = settingsFor(16, 9, 0);
     settings.smoothIndirect = true;
     const auto result = render(cornell(), cornell().cameras.front(), settings,
-                               [](uint64_t, uint64_t) { FAIL() << "nothing is to be done"; });
+                               [](uint64_t, uint64_t) {
+                                   ADD_FAILURE() << "nothing is to be done";
+                                   return true;
+                               });
     ASSERT_TRUE(result.ok());
     EXPECT_GT(meanOf(result.value().albedo).x, 0.1);
     EXPECT_EQ(meanOf(result.value().direct), glm::dvec3(0.0));
