@@ -1,14 +1,25 @@
-// `lampyris info`: the device that a run would use.
+// `lampyris info`: the device that a run would use, and the display that a window would.
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <memory>
+#include <thread>
 
 #include "command.h"
 #include "gpu/device.h"
+#include "shader_watch.h"
+#include "window/monitors.h"
 
 namespace lampyris::sandbox {
 namespace {
+
+void printDisplay() {
+    const auto monitors = window::listMonitors();
+    if (!monitors.ok()) return fmt::print("display: none, {}\n", monitors.error().message);
+    if (monitors.value().empty()) fmt::print("display: without a monitor\n");
+    for (const window::MonitorInfo& m : monitors.value())
+        fmt::print("display: {}, {}x{} at {} Hz\n", m.name, m.width, m.height, m.hertz);
+}
 
 core::Result<void> printInfo(const gpu::DeviceOptions& options) {
     TRY(const std::unique_ptr<gpu::Device> device, gpu::Device::create(options));
@@ -18,6 +29,11 @@ core::Result<void> printInfo(const gpu::DeviceOptions& options) {
     fmt::print("driver: {}\n", info.driver);
     fmt::print("api version: {}\n", info.apiVersion);
     fmt::print("validation layer: {}\n", gpu::validationLayer().ok() ? "there" : "missing");
+    fmt::print("deforming meshes are refitted on: {}\n", info.kind == "cpu" ? "CPU" : "device");
+    fmt::print("worker threads: {}\n", std::thread::hardware_concurrency());
+    printDisplay();
+    const std::filesystem::path shaders = ShaderWatch::builtFrom();
+    fmt::print("shaders reload from: {}\n", shaders.empty() ? "nowhere" : shaders.string());
     for (const std::string& feature : info.features) fmt::print("feature: {}\n", feature);
     for (const auto& [name, value] : gpu::listLimits(info.limits))
         fmt::print("limit {}: {}\n", name, value);
@@ -27,7 +43,7 @@ core::Result<void> printInfo(const gpu::DeviceOptions& options) {
 }  // namespace
 
 void addInfo(CLI::App& program, Command& called) {
-    auto* app = program.add_subcommand("info", "Device, driver, features used, limits");
+    auto* app = program.add_subcommand("info", "Device, driver, display, features used, limits");
     const auto options = std::make_shared<gpu::DeviceOptions>();
     app->add_option("--device", options->substring, "part of the device's name (the best there is)")
         ->type_name("SUBSTRING");

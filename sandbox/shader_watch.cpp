@@ -14,13 +14,16 @@ constexpr const char* kBuiltFrom = LAMPYRIS_SHADER_FOLDER;
 
 core::Result<ShaderWatch> ShaderWatch::create(const std::string& asked) {
     ShaderWatch watch;
-    std::error_code code;
-    if (asked == kOff || (asked.empty() && !std::filesystem::is_directory(kBuiltFrom, code)))
-        return watch;
+    if (asked == kOff || (asked.empty() && builtFrom().empty())) return watch;
     auto reloader = shader_reload::ShaderReloader::create(asked.empty() ? kBuiltFrom : asked);
     if (!reloader.ok()) return core::error("--shaders {}", reloader.error().message);
     watch.reloader_ = std::move(reloader).value();
     return watch;
+}
+
+std::filesystem::path ShaderWatch::builtFrom() {
+    std::error_code code;
+    return std::filesystem::is_directory(kBuiltFrom, code) ? kBuiltFrom : "";
 }
 
 void ShaderWatch::update(FrameLoop& loop) {

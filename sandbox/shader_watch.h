@@ -1,6 +1,7 @@
 /// \file `view --shaders`: shaders that reload while the window is open.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ class ShaderWatch {
     /// \param asked a folder; "off"; or empty: the folder that the program was built from, and
     /// nothing where that is gone. An Error names a folder that was asked for and is not there.
     static core::Result<ShaderWatch> create(const std::string& asked);
+
+    /// The folder that the program was built from; empty where that is gone.
+    [[nodiscard]] static std::filesystem::path builtFrom();
 
     /// Once a frame, before it is drawn. Says on stderr what was reloaded, and what is broken.
     void update(FrameLoop& loop);

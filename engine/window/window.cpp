@@ -3,10 +3,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "gpu/vulkan_result.h"
+#include "window/monitors.h"
 #include "window/x11_errors.h"
 
 namespace lampyris::window {
@@ -56,6 +58,23 @@ struct Window::State {
     bool inputSeen = false;  ///< what the last poll found may be forgotten
     std::optional<Place> beforeFullScreen;
 };
+
+core::Result<std::vector<MonitorInfo>> listMonitors() {
+    if (glfwInit() != GLFW_TRUE) return core::error("no display ({})", glfwMessage());
+    std::vector<MonitorInfo> monitors;
+    int count = 0;
+    GLFWmonitor** const found = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        const GLFWvidmode* const mode = glfwGetVideoMode(found[i]);
+        if (mode == nullptr) continue;
+        const char* const name = glfwGetMonitorName(found[i]);
+        monitors.push_back({name == nullptr ? "" : name, static_cast<uint32_t>(mode->width),
+                            static_cast<uint32_t>(mode->height),
+                            static_cast<uint32_t>(std::max(mode->refreshRate, 0))});
+    }
+    terminateUnused();
+    return monitors;
+}
 
 core::Result<Window> Window::create(const WindowOptions& options) {
     if (glfwInit() != GLFW_TRUE) return core::error("no display ({})", glfwMessage());

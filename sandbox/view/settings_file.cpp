@@ -84,7 +84,8 @@ struct Reader {
     }
     void operator()(bool Settings::*field) const { s.*field = value.get<bool>(); }
     void operator()(photon_gi::Pipeline Settings::*field) const {
-        s.*field = static_cast<photon_gi::Pipeline>(choiceOf(value, photon_gi::kPipelineNames, key));
+        s.*field =
+            static_cast<photon_gi::Pipeline>(choiceOf(value, photon_gi::kPipelineNames, key));
     }
     void operator()(photon_gi::Gather Settings::*field) const {
         s.*field = static_cast<photon_gi::Gather>(choiceOf(value, photon_gi::kGatherNames, key));

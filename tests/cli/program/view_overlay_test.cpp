@@ -200,6 +200,15 @@ TEST_F(ViewOverlay, KeepsItsSettingsInAFile) {
     EXPECT_EQ(jsonOf(file)["settings"]["photons"], 77) << "as it was";
     EXPECT_EQ(jsonOf(file)["settings"]["radius"], 0.5) << "as it was asked for";
     EXPECT_EQ(jsonOf(file)["size"], (nlohmann::json{160, 90}));
+    // Defaults that are asked for stand against the file too.
+    expectQuietEnd(*startView({"--frames", "2", "--photons", "2500", "--tonemap", "clip",
+                               "--no-overlay", "--settings", file}));
+    EXPECT_EQ(jsonOf(file)["settings"]["photons"], 2500);
+    EXPECT_EQ(jsonOf(file)["settings"]["radius"], 0.5) << "as it was";
+    EXPECT_EQ(jsonOf(file)["exposure"], -2.0) << "as it was";
+    EXPECT_EQ(jsonOf(file)["overlay"], false);
+    expectQuietEnd(*startView({"--frames", "2", "--overlay", "--settings", file}));
+    EXPECT_EQ(jsonOf(file)["overlay"], true);
 }
 
 TEST_F(ViewOverlay, RefusesFilesThatAreNone) {

@@ -27,6 +27,15 @@ TEST_F(View, EndsWithTheWindowManagersClose) {
     expectQuietEnd(*view);
 }
 
+TEST_F(View, InfoTellsOfTheDisplay) {
+    const Ran with = run({"env", display_, programPath(), "info"});
+    EXPECT_NE(with.out.find("display: screen, 1360x800"), std::string::npos) << with.out;
+    const Ran without =
+        run({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", programPath(), "info"});
+    EXPECT_NE(without.out.find("display: none, no display"), std::string::npos) << without.out;
+    EXPECT_EQ(without.code, 0);
+}
+
 TEST_F(View, EndsAfterTheFramesAskedFor) {
     const ScratchFolder folder;
     const auto view = startView({"--size", "160x90", "--frames", "3", "--warmup", "1",
