@@ -141,7 +141,7 @@ void addFrameOptions(CLI::App& app, Options& o) {
     app.add_option("--shadow-rays", o.shadowRays, "a light and low-resolution texel (8)")
         ->check(CLI::Range(1u, kMaxShadowRays));
     app.add_option("--history", o.history,
-                   "final gather: frames in the mean while nothing changes; 0 is off (32; 1 "
+                   "final gather: frames in the mean while nothing changes; 0 is off (80; 1 "
                    "without --reseed)")
         ->check(CLI::Range(0u, kMaxHistory));
     addChoice(app, "--guiding", o.guiding, kSwitch,
@@ -198,7 +198,7 @@ photon_gi::Settings settingsOf(const Options& o) {
     s.radiusMetres = o.radius.value_or(preset.radiusMetres);
     s.gatherDivisor = o.gatherDivisor.value_or(preset.gatherDivisor);
     s.gather = gather;
-    s.history = gather == photon_gi::Gather::Final ? o.history.value_or(32) : 0;
+    s.history = gather == photon_gi::Gather::Final ? o.history.value_or(s.history) : 0;
     s.gridColumns = preset.gridColumns;
     s.gatherRays = o.gatherRays.value_or(preset.gatherRays);
     s.shadowDivisor = o.shadowDivisor.value_or(preset.shadowDivisor);

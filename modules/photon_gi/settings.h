@@ -52,7 +52,7 @@ struct Settings {
     uint32_t gatherDivisor = 8;     ///< low resolution, an axis
     uint32_t gatherRays = 3;        ///< final gather: a texel
     uint32_t filterLevels = 2;      ///< final gather: of the à-trous filter
-    uint32_t history = 32;          ///< final gather: most frames in the mean; 0: each stands alone
+    uint32_t history = 80;          ///< final gather: most frames in the mean; 0: each stands alone
     uint32_t gridColumns = 8;       ///< final gather: rays that measure a grid cell's surface
     float lightCutoff = 0.001f;     ///< of the frame's mean direct irradiance
     uint32_t seed = 1;

@@ -12,11 +12,13 @@ constexpr graph::Extent kStillSize{640, 360};
 constexpr graph::Extent kMovingSize{320, 180};  // [DESIGN.md] of dynamic flicker
 constexpr uint32_t kStillFrames = 64;           // [DESIGN.md]
 constexpr uint32_t kMovingFrames = 32;          // [DESIGN.md]
-constexpr uint32_t kWarmup = 40;                // [chosen] the default history and some
-constexpr uint32_t kPastHistory = 8;            // [chosen] frames of warm-up after a longer history
-constexpr double kTimestep = 1.0 / 60.0;        // seconds
-constexpr uint32_t kStillSamples = 64;          // [chosen] a pixel of the reference: a minute
-constexpr uint32_t kMovingSamples = 16;         // [chosen] 64 pictures in some minutes
+constexpr uint32_t kLeastWarmup = 40;           // [chosen] the same for those without a history
+constexpr uint32_t kPastHistory = 8;            // [chosen] frames of warm-up after the history
+/// Frames after a change until the mean over frames is full, where its length is the default.
+constexpr uint32_t kSettled = photon_gi::Settings{}.history + kPastHistory;
+constexpr double kTimestep = 1.0 / 60.0;  // seconds
+constexpr uint32_t kStillSamples = 64;    // [chosen] a pixel of the reference: a minute
+constexpr uint32_t kMovingSamples = 16;   // [chosen] 64 pictures in some minutes
 
 struct Call {
     Options options;        ///< what is left empty is chosen here
@@ -34,8 +36,8 @@ struct Call {
     [[nodiscard]] uint32_t stillFrames() const { return options.frames.value_or(kStillFrames); }
     [[nodiscard]] uint32_t movingFrames() const { return options.frames.value_or(kMovingFrames); }
     [[nodiscard]] uint32_t warmup() const {
-        const uint32_t learns = options.history.value_or(0) + kPastHistory;
-        return options.warmup.value_or(std::max(kWarmup, learns));
+        const uint32_t learns = settingsOf(options).history + kPastHistory;
+        return options.warmup.value_or(std::max(kLeastWarmup, learns));
     }
     [[nodiscard]] double timestep() const { return options.timestep.value_or(kTimestep); }
 };

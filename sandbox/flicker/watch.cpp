@@ -52,7 +52,7 @@ core::Result<void> Watched::startOver(const Shown& shown) {
 core::Result<void> Watched::add(const Shown& shown, const core::DisplayImage& image) {
     if (last_ && shown != *last_) TRY_VOID(startOver(shown));
     TRY_VOID(all_.add(image));
-    if (sinceChange_ >= kWarmup) TRY_VOID(still_.add(image));
+    if (sinceChange_ >= kSettled) TRY_VOID(still_.add(image));
     if (following_) {
         TRY_VOID(following_->add(image));
         if (following_->complete()) {
@@ -69,7 +69,7 @@ core::Result<void> Watched::add(const Shown& shown, const core::DisplayImage& im
 std::string Watched::summary() const {
     const bool now = still_.frames() > 1;
     if (!now && !flicker_)
-        return fmt::format("flicker: nothing was still for {} frames; {}", kWarmup + 2,
+        return fmt::format("flicker: nothing was still for {} frames; {}", kSettled + 2,
                            lagText(lag_));
     const auto flicker = now ? still_.result() : *flicker_;
     return fmt::format("flicker: static {:.3f}, p99 {:.2f} over {} frames; {}", flicker.mean,

@@ -32,16 +32,20 @@ const float kLeastWeight = 0.05;
 // [chosen] Share of the light by which a mean may lag behind a change that goes on.
 const float kMostLag = 0.15;
 // [chosen] The last frames' light, this far from what was expected, is no chance.
-const float kDeviations = 4.0;
+const float kDeviations = 3.0;
+// What few frames tell of the spread may be too little by 1 + this / frames: one case in a hundred of χ².
+const float kFewFrames = 12.0;
 const float kNewest = 0.25;  // a frame's weight in the last frames' light: its spread is √(1/7) of a frame's
 const float kLeastDeviation = 0.02;
 // [chosen] Frames before a spread is known.
 const float kFramesToJudge = 6.0;
+// [chosen] A mean with a smaller share of frames from before the last change is left alone: they can hide little.
+const float kLeastStale = 0.125;
 
 struct Remembered {
     CoarseLight light;
     float frames;  // in it
-    vec3 moments;  // of the newest light around: mean, mean square, mean of the last frames
+    vec4 moments;  // of the newest light around: mean, mean square, mean of the last frames; frames before a change
 };
 
 // Where a pixel lies between texels; the last representatives stand nearer, at the image's edge.
@@ -58,7 +62,7 @@ vec2 texelCoordinate(vec2 pixel) {
 Remembered rememberedAt(Place place) {
     CoarseLight sum = CoarseLight(vec3(0.0), vec3(0.0), 1.0);
     float frames = 0.0;
-    vec3 moments = vec3(0.0);
+    vec4 moments = vec4(0.0);
     vec4 clip = past.worldToClipBefore * vec4(place.position, 1.0);
     if (clip.w <= 0.0) return Remembered(sum, 0.0, moments);
     vec2 pixel = (clip.xy / clip.w * 0.5 + 0.5) * vec2(view.width, view.height);
@@ -80,7 +84,7 @@ Remembered rememberedAt(Place place) {
         CoarseLight light = CoarseLight(irradianceFrames.rgb, texelFetch(slopeBefore, texel, 0).xyz, 1.0);
         addLeaning(sum, light, place.normal, weight);
         frames += weight * irradianceFrames.a;
-        moments += weight * texelFetch(momentsBefore, texel, 0).rgb;
+        moments += weight * texelFetch(momentsBefore, texel, 0);
         total += weight;
     }
     float scale = total >= kLeastWeight ? 1.0 / total : 0.0;
@@ -104,14 +108,15 @@ float newestAround(ivec2 texel, Place own) {
 }
 
 // How much of what is remembered must give way to what the last frames saw.                                        [H2]
-float disagreement(vec3 moments) {
-    float deviation = sqrt(max(moments.y - moments.x * moments.x, 0.0) * kNewest / (2.0 - kNewest));
+float disagreement(vec4 moments, float frames) {
+    float deviation = sqrt(max(moments.y - moments.x * moments.x, 0.0) * (kNewest / (2.0 - kNewest) + 1.0 / frames));
+    deviation *= 1.0 + kFewFrames / frames;
     float limit = kDeviations * deviation + kLeastDeviation * moments.x;
     return clamp(1.0 - limit / max(abs(moments.z - moments.x), 1e-30), 0.0, 1.0);
 }
 
 // How much a mean of so many frames still trembles, as a share of it.                                              [F3]
-float noiseOf(vec3 moments, float frames) {
+float noiseOf(vec4 moments, float frames) {
     if (frames < kFramesToJudge) return 1.0 / frames;
     float deviation = sqrt(max(moments.y - moments.x * moments.x, 0.0) / (2.0 * frames - 1.0));
     return min(deviation / max(moments.x, 1e-30), 1.0);
@@ -125,7 +130,7 @@ void main() {
     CoarseLight light = unpackLight(texelFetch(coarse, texel, 0));
     Place place = placeOf(own);
     float seen = newestAround(texel, place);
-    vec3 moments = vec3(seen, seen * seen, seen);
+    vec4 moments = vec4(seen, seen * seen, seen, 0.0);
     float inMean = 1.0;
     if (past.mostFrames > 0u) {
         Place before = place;
@@ -137,24 +142,27 @@ void main() {
         float change = changeByRegions(place.position, past.regionCount);
         if (past.lightCount > 0u) change += changeByLights(place.position, past.regionCount, past.lightCount);
         if (change > 0.0) frames = min(frames, kMostLag / change);
+        float stale = change > 0.0 ? frames : min(remembered.moments.w, frames);
         if (frames > 0.0) moments.z = mix(remembered.moments.z, seen, max(kNewest, 1.0 / (frames + 1.0)));
-        if (past.doubted != 0u && frames >= kFramesToJudge) {
+        if (past.doubted != 0u && frames >= kFramesToJudge && stale >= kLeastStale * frames) {
             remembered.moments.z = moments.z;
-            float given = disagreement(remembered.moments);
+            float given = disagreement(remembered.moments, frames);
             float scale = mix(1.0, moments.z / max(remembered.moments.x, 1e-30), given);
             remembered.light.irradiance *= scale;
             remembered.light.slope *= scale;
             remembered.moments.xy *= vec2(scale, scale * scale);
             frames *= (1.0 - given) * (1.0 - given);
+            stale *= 1.0 - given;
         }
         inMean = frames + 1.0;
         light.irradiance = mix(remembered.light.irradiance, light.irradiance, 1.0 / inMean);
         light.slope = mix(remembered.light.slope, light.slope, 1.0 / inMean);
+        moments.w = min(stale, frames);
         moments.xy = mix(remembered.moments.xy, moments.xy, 1.0 / inMean);
     }
     imageStore(meanKept, texel, vec4(light.irradiance, inMean));
     light.noise = noiseOf(moments, inMean);
     imageStore(meanShown, texel, packLight(light));
     imageStore(slopeKept, texel, vec4(light.slope, 0.0));
-    imageStore(momentsKept, texel, vec4(moments, 0.0));
+    imageStore(momentsKept, texel, moments);
 }

@@ -49,13 +49,13 @@ TEST_F(View, EndsAfterTheFramesAskedFor) {
 TEST_F(View, MeasuresFlickerOfWhatItShows) {
     const ScratchFolder folder;
     const auto view = startView(
-        {"--size", "64x36", "--frames", "45", "--validation", "--flicker", folder / "a.csv"});
+        {"--size", "64x36", "--frames", "93", "--validation", "--flicker", folder / "a.csv"});
     const Ran ran = view->wait(kViewSeconds);
     EXPECT_EQ(ran.code, 0) << ran.err;
     EXPECT_NE(ran.out.find("over 5 frames; no change was followed"), std::string::npos) << ran.out;
     const std::string csv = textOf(folder / "a.csv");
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 46);
-    EXPECT_NE(csv.find("\n44,44,"), std::string::npos) << "the last frames too";
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 94);
+    EXPECT_NE(csv.find("\n92,92,"), std::string::npos) << "the last frames too";
 }
 
 TEST_F(View, MarksAFrameThatOverflowedAndDrawsTheNextOneRight) {

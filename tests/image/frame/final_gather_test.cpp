@@ -112,6 +112,31 @@ TEST_F(FinalGather, ARemovedLightLeavesNoneBehind) {
     EXPECT_EQ(meanOf(draw()), 0.0);
 }
 
+TEST_F(FinalGather, AMeanThatBeganAnewIsNotTakenForStale) {
+    auto snapshot = test::builtinSnapshot("cornell");
+    test::SceneRenderer renderer(device(), snapshot);
+    auto wanted = request(320, 180, snapshot.cameras.front());
+    wanted.settings.history = 80;
+    /// The fewest frames in the mean of a texel that sees something.
+    const auto draw = [&] {
+        ++wanted.frameNumber;
+        graph::Frame frame;
+        const auto drawn = test::need(renderer.declare(frame, wanted));
+        frame.publish("mean", drawn.insides.mean);
+        frame.output(drawn.insides.mean);
+        const auto mean = test::need(renderer.run(frame, drawn, "mean")).image;
+        float fewest = 1e9f;
+        for (size_t i = 0; i < mean.values.size(); i += 4)
+            if (mean.values[i] > 0.0f) fewest = std::min(fewest, mean.values[i + 3]);
+        return fewest;
+    };
+    for (int i = 1; i <= 20; ++i) EXPECT_EQ(draw(), static_cast<float>(i));
+    snapshot.lights[0].positionWorld.x += 1.1f;
+    snapshot.lights[0].version = snapshot.lightVersion += 100;
+    test::need(renderer.update(snapshot));
+    for (int i = 1; i <= 40; ++i) EXPECT_GE(draw(), static_cast<float>(i));
+}
+
 TEST_F(FinalGather, AFrameThatOverflowedLeavesNothingInTheMean) {
     const auto snapshot = test::builtinSnapshot("cornell");
     auto wanted = request(96, 54, snapshot.cameras.front());
