@@ -184,7 +184,8 @@ AccelHandles AccelOnGpu::import(graph::Frame& frame, const residency::SceneHandl
     const Refitted refitted = addRefit(
         frame,
         {handles.nodes, handles.triangles, p.store.slots.import(frame, "upload bvh refit slots"),
-         scene.positions, scene.indices},
+         scene.positions, scene.indices,
+         p.store.largestBytes() > p.scene->device().limits().core.maxStorageBufferRange},
         jobs);
     handles.nodes = refitted.nodes;
     handles.triangles = refitted.triangles;

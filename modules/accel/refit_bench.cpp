@@ -8,6 +8,7 @@
 #include "accel/refit_cpu.h"
 #include "accel/refit_nodes.h"
 #include "accel/tree_store.h"
+#include "residency/pack_scene.h"
 
 namespace lampyris::accel {
 namespace {
@@ -57,7 +58,7 @@ class Trees {
         : executor_(&executor),
           mesh_(&mesh),
           store_(executor.device()),
-          positions_(executor.device(), "bench positions", sizeof(float)),
+          positions_(executor.device(), "bench positions", sizeof(residency::DevicePosition)),
           indices_(executor.device(), "bench indices", sizeof(uint32_t)) {}
 
     core::Result<void> load(uint32_t copies) {
@@ -73,7 +74,8 @@ class Trees {
             relocate(trees_.back(), ranges_.back());
         }
         TRY_VOID(store_.reserve());
-        TRY_VOID(positions_.reserve(copies * bytesOf(mesh_->positions).size()));
+        TRY_VOID(positions_.reserve(copies * mesh_->positions.size() *
+                                    sizeof(residency::DevicePosition)));
         TRY_VOID(indices_.reserve(bytesOf(mesh_->indices).size()));
         TRY(residency::Loading loading, residency::Loading::begin(executor_->device()));
         TRY_VOID(loading.write(indices_, 0, bytesOf(mesh_->indices)));
@@ -91,7 +93,8 @@ class Trees {
 
     core::Result<void> move(uint32_t tree, const std::vector<glm::vec3>& to) {
         trees_[tree].grid = gridAround(boundsOf(to));
-        return positions_.stage(tree * bytesOf(to).size(), bytesOf(to));
+        const auto packed = residency::packPositions(to);
+        return positions_.stage(tree * bytesOf(packed).size(), bytesOf(packed));
     }
 
     /// Refits the first trees on the device; adds a time for each reported name, and their sum.

@@ -62,29 +62,35 @@ Batch levelOf(std::span<const RefitJob> jobs, size_t level) {
     return batch;
 }
 
+graph::Buffer write(graph::ComputeNode& node, uint32_t slot, graph::Buffer buffer, bool large) {
+    return large ? node.updateTexels(slot, buffer, Format::RGBA32Uint) : node.update(slot, buffer);
+}
+
 Refitted addLeaves(graph::Frame& frame, const RefitBuffers& buffers, const Batch& batch,
                    graph::Buffer quality) {
-    auto node = frame.compute("refit_leaves", shaders::refitLeaves);
+    auto node = frame.compute("refit_leaves",
+                              buffers.large ? shaders::refitLeavesLarge : shaders::refitLeaves);
     batch.bind(node, buffers.nodes);
     node.texels(shared::SLOT_REFIT_SLOTS, buffers.slots, Format::R32Uint)
         .texels(shared::SLOT_REFIT_TRIANGLES, buffers.triangles, Format::RGBA32Uint)
-        .texels(shared::SLOT_REFIT_POSITIONS, buffers.positions, Format::R32Float)
+        .texels(shared::SLOT_REFIT_POSITIONS, buffers.positions, Format::RGBA32Float)
         .texels(shared::SLOT_REFIT_INDICES, buffers.indices, Format::R32Uint);
     Refitted done;
-    done.nodes = node.updateTexels(shared::SLOT_REFIT_NEW_NODES, buffers.nodes, Format::RGBA32Uint);
+    done.nodes = write(node, shared::SLOT_REFIT_NEW_NODES, buffers.nodes, buffers.large);
     done.triangles =
-        node.updateTexels(shared::SLOT_REFIT_NEW_TRIANGLES, buffers.triangles, Format::RGBA32Uint);
+        write(node, shared::SLOT_REFIT_NEW_TRIANGLES, buffers.triangles, buffers.large);
     done.quality = node.update(shared::SLOT_REFIT_QUALITY, quality);
     batch.dispatch(node);
     return done;
 }
 
-graph::Buffer addLevel(graph::Frame& frame, const Batch& batch, size_t level, graph::Buffer slots,
-                       graph::Buffer nodes) {
-    auto node = frame.compute("refit_levels/" + std::to_string(level), shaders::refitLevel);
+graph::Buffer addLevel(graph::Frame& frame, const RefitBuffers& buffers, const Batch& batch,
+                       size_t level, graph::Buffer nodes) {
+    auto node = frame.compute("refit_levels/" + std::to_string(level),
+                              buffers.large ? shaders::refitLevelLarge : shaders::refitLevel);
     batch.bind(node, nodes);
-    node.texels(shared::SLOT_REFIT_SLOTS, slots, Format::R32Uint);
-    const auto written = node.updateTexels(shared::SLOT_REFIT_NEW_NODES, nodes, Format::RGBA32Uint);
+    node.texels(shared::SLOT_REFIT_SLOTS, buffers.slots, Format::R32Uint);
+    const auto written = write(node, shared::SLOT_REFIT_NEW_NODES, nodes, buffers.large);
     batch.dispatch(node);
     return written;
 }
@@ -120,7 +126,7 @@ Refitted addRefit(graph::Frame& frame, const RefitBuffers& buffers,
     const auto quality = clear.fill(frame.buffer("refit quality", {words * sizeof(uint32_t)}), 0);
     Refitted done = addLeaves(frame, buffers, levelOf(jobs, 0), quality);
     for (size_t level = 1; level + 1 < levels; ++level)
-        done.nodes = addLevel(frame, levelOf(jobs, level), level, buffers.slots, done.nodes);
+        done.nodes = addLevel(frame, buffers, levelOf(jobs, level), level, done.nodes);
     done.quality = addCost(frame, jobs, done.nodes, done.quality);
     return done;
 }

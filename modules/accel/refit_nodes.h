@@ -31,6 +31,9 @@ struct RefitBuffers {
     graph::Buffer slots;      ///< uint32
     graph::Buffer positions;  ///< as residency::SceneHandles
     graph::Buffer indices;    ///< as residency::SceneHandles
+    /// Nodes or triangles are more than a storage buffer may hold: they are written as texels,
+    /// which takes longer.
+    bool large = false;
 };
 
 struct Refitted {

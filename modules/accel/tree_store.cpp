@@ -35,6 +35,10 @@ uint64_t TreeStore::bytes() const {
     return nodes.bytes() + triangles.bytes() + slots.bytes();
 }
 
+uint64_t TreeStore::largestBytes() const {
+    return std::max(nodes.bytes(), triangles.bytes());
+}
+
 void relocate(Tree& tree, const TreeRange& range) {
     relocate(tree, static_cast<uint32_t>(range.firstNode),
              static_cast<uint32_t>(range.firstTriangle));

@@ -26,6 +26,8 @@ class TreeStore {
 
     [[nodiscard]] uint64_t triangleCount() const { return triangleRanges_.used(); }
     [[nodiscard]] uint64_t bytes() const;
+    /// Of the larger one of nodes and triangles.
+    [[nodiscard]] uint64_t largestBytes() const;
     [[nodiscard]] residency::Device& device() const { return *device_; }
 
     residency::ResidentBuffer nodes, triangles, slots;

@@ -27,7 +27,7 @@ struct GBufferPipelines {
                 .vertex = &shaders::gbufferVert,
                 .fragment =
                     (bits & 8) != 0 ? &shaders::gbufferFrag : &shaders::gbufferUntexturedFrag,
-                .attributes = {{shared::STREAM_POSITION, 0, 3, 12},
+                .attributes = {{shared::STREAM_POSITION, 0, 3, 16},
                                {shared::STREAM_NORMAL, 1, 3, 12},
                                {shared::STREAM_TANGENT, 2, 4, optionalStride(1)},
                                {shared::STREAM_TEXCOORDS, 3, 4, optionalStride(2)},

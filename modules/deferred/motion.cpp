@@ -15,8 +15,8 @@ const graph::RasterPipeline& pipeline() {
     static const graph::RasterPipeline kPipeline{
         .vertex = &shaders::motionVert,
         .fragment = &shaders::motionFrag,
-        .attributes = {{shared::STREAM_MOTION_POSITION, 0, 3, 12},
-                       {shared::STREAM_MOTION_BEFORE, 1, 3, 12}},
+        .attributes = {{shared::STREAM_MOTION_POSITION, 0, 3, 16},
+                       {shared::STREAM_MOTION_BEFORE, 1, 3, 16}},
         .depthWrite = false,
         .depthEqual = true};
     return kPipeline;

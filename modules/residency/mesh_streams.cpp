@@ -16,7 +16,7 @@ struct StreamKind {
 
 constexpr std::array<StreamKind, MeshStreams::Count> kKinds = {{
     {"mesh indices", 4, 4, glm::vec4(0.0f)},
-    {"mesh positions", 12, 0, glm::vec4(0.0f)},
+    {"mesh positions", sizeof(DevicePosition), sizeof(DevicePosition), glm::vec4(0.0f)},
     {"mesh normals", 12, 0, glm::vec4(0.0f, 0.0f, 1.0f, 0.0f)},
     {"mesh tangents", 16, 0, glm::vec4(1.0f, 0.0f, 0.0f, 1.0f)},
     {"mesh texcoords", 16, 16, glm::vec4(0.0f)},
@@ -137,9 +137,9 @@ core::Result<uint64_t> MeshStreams::write(Loading& loading, const assets::Mesh& 
                                           const Entry& entry) {
     const auto texcoords =
         entry.lengths[Texcoords] > 0 ? bothTexcoordSets(mesh) : std::vector<glm::vec4>{};
-    const Sources sources = {bytesOf(mesh.indices), bytesOf(mesh.positions),
-                             bytesOf(mesh.normals), bytesOf(mesh.tangents),
-                             bytesOf(texcoords),    bytesOf(mesh.colours)};
+    const auto positions = packPositions(mesh.positions);
+    const Sources sources = {bytesOf(mesh.indices),  bytesOf(positions), bytesOf(mesh.normals),
+                             bytesOf(mesh.tangents), bytesOf(texcoords), bytesOf(mesh.colours)};
     const auto firsts = firstsOf(entry.range);
     uint64_t sum = 0;
     for (size_t i = 0; i < Count; ++i) {

@@ -62,6 +62,13 @@ bool emissive(const assets::Material& material) {
 
 }  // namespace
 
+std::vector<DevicePosition> packPositions(std::span<const glm::vec3> positions) {
+    std::vector<DevicePosition> packed;
+    packed.reserve(positions.size());
+    for (const glm::vec3& position : positions) packed.emplace_back(position, 0.0f);
+    return packed;
+}
+
 std::optional<Placement> placementOf(const glm::mat4& objectToWorld) {
     if (!finite(objectToWorld)) return std::nullopt;
     Placement placement;

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "scene/snapshot.h"
 #include "shared/scene.h"
@@ -21,6 +23,10 @@ struct Placement {
 /// thickness, so that rays can be taken back through it; nothing where it leaves no area or is not
 /// finite.
 [[nodiscard]] std::optional<Placement> placementOf(const glm::mat4& objectToWorld);
+
+/// A position as the device has it: one texel, the fourth component 0.
+using DevicePosition = glm::vec4;
+[[nodiscard]] std::vector<DevicePosition> packPositions(std::span<const glm::vec3> positions);
 
 /// Where a mesh's attributes stand in the streams; counted in elements.
 struct MeshRange {

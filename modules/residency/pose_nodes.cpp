@@ -19,13 +19,13 @@ void pose(graph::ComputeNode node, const PoseJobs& jobs, const PoseSources& sour
         .push(shared::PoseParams{static_cast<uint32_t>(jobs.jobs().size()), jobs.vertexCount(), 0,
                                  0});
     handles.positions =
-        node.updateTexels(shared::SLOT_POSED_POSITIONS, handles.positions, Format::R32Float);
+        node.updateTexels(shared::SLOT_POSED_POSITIONS, handles.positions, Format::RGBA32Float);
     handles.normals =
         node.updateTexels(shared::SLOT_POSED_NORMALS, handles.normals, Format::R32Float);
     handles.tangents =
         node.updateTexels(shared::SLOT_POSED_TANGENTS, handles.tangents, Format::RGBA32Float);
     handles.positionsBefore = node.updateTexels(shared::SLOT_POSED_POSITIONS_BEFORE,
-                                                handles.positionsBefore, Format::R32Float);
+                                                handles.positionsBefore, Format::RGBA32Float);
     const uint32_t groups = (jobs.vertexCount() + shared::POSE_THREADS - 1) / shared::POSE_THREADS;
     const uint32_t row = std::min(groups, shared::POSE_GROUPS_IN_ROW);
     node.dispatch(row, (groups + row - 1) / row);

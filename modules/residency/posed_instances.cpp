@@ -7,7 +7,7 @@
 namespace lampyris::residency {
 namespace {
 
-constexpr uint64_t kPositionBytes = sizeof(glm::vec3);
+constexpr uint64_t kPositionBytes = sizeof(DevicePosition);
 
 bool isSkinned(const assets::Mesh& mesh, const scene::Pose& pose) {
     return !pose.jointMatrices.empty() && !mesh.joints.empty();
@@ -43,7 +43,7 @@ uint32_t packWeights(const assets::Mesh& mesh, const scene::Pose& pose,
 PosedInstances::PosedInstances(Device& device)
     : rest_(device),
       poses_(device, "poses", sizeof(glm::vec4)),
-      before_(device, "positions before", sizeof(float)) {}
+      before_(device, "positions before", sizeof(DevicePosition)) {}
 
 void PosedInstances::place(const scene::SceneSnapshot& snapshot, MeshStreams& streams) {
     ++round_;

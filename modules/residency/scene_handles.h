@@ -17,7 +17,7 @@ struct SceneHandles {
     graph::Buffer emitters;          ///< shared::GpuEmitter
     graph::Buffer emitterTriangles;  ///< RGBA32Float texels, EMITTER_TEXELS a triangle
     graph::Buffer indices;    ///< uint32, also texels R32Uint; relative to the mesh's first vertex
-    graph::Buffer positions;  ///< 3 floats a vertex, object space, as posed in this frame
+    graph::Buffer positions;  ///< DevicePosition, object space, as posed in this frame
     graph::Buffer normals;    ///< 3 floats a vertex, as posed
     graph::Buffer positionsBefore;  ///< of reposed instances, as they were in the frame before
     graph::Buffer tangents;         ///< 4 floats a vertex, where a mesh has them

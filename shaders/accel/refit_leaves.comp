@@ -3,19 +3,25 @@
 // Rewrites the triangles of one leaf from the posed vertices, and the leaf's box in its parent. A triangle without
 // area or with a corner that is not finite gets zero corners and no box: it is never hit.
 #include "lib/refit.glsl"
+#include "lib/refit_stores.glsl"
 
 layout(local_size_x = 64) in;  // REFIT_THREADS
 layout(set = 0, binding = SLOT_REFIT_SLOTS) uniform usamplerBuffer slots;
-layout(set = 0, binding = SLOT_REFIT_NEW_NODES, rgba32ui) uniform writeonly uimageBuffer newNodes;
 layout(set = 0, binding = SLOT_REFIT_TRIANGLES) uniform usamplerBuffer triangles;
-layout(set = 0, binding = SLOT_REFIT_NEW_TRIANGLES, rgba32ui) uniform writeonly uimageBuffer newTriangles;
 layout(set = 0, binding = SLOT_REFIT_POSITIONS) uniform samplerBuffer positions;
 layout(set = 0, binding = SLOT_REFIT_INDICES) uniform usamplerBuffer indices;
 layout(set = 0, binding = SLOT_REFIT_QUALITY, std430) buffer Quality { uint quality[]; };
 
+#ifdef LARGE
+layout(set = 0, binding = SLOT_REFIT_NEW_TRIANGLES, rgba32ui) uniform writeonly uimageBuffer newTriangles;
+void putCorner(int texel, uvec4 corner) { imageStore(newTriangles, texel, corner); }
+#else
+layout(set = 0, binding = SLOT_REFIT_NEW_TRIANGLES, std430) writeonly buffer NewTriangles { uvec4 newTriangles[]; };
+void putCorner(int texel, uvec4 corner) { newTriangles[texel] = corner; }
+#endif
+
 vec3 cornerAt(uint index, uint firstVertex) {
-    int at = int(3u * (texelFetch(indices, int(index)).x + firstVertex));
-    return vec3(texelFetch(positions, at).x, texelFetch(positions, at + 1).x, texelFetch(positions, at + 2).x);
+    return texelFetch(positions, int(texelFetch(indices, int(index)).x + firstVertex)).xyz;
 }
 
 // As accel::hasArea: the sum of the normal's absolute components is a normal float. By bits, as a comparison
@@ -48,14 +54,14 @@ void main() {
         vec3 v2 = cornerAt(corner + 2u, firstVertex);
         bool kept = hasArea(v0, v1, v2);
         uint mask = kept ? 0xffffffffu : 0u;
-        imageStore(newTriangles, at, uvec4(floatBitsToUint(v0) & mask, primitive));
-        imageStore(newTriangles, at + 1, uvec4(floatBitsToUint(v1) & mask, 0u));
-        imageStore(newTriangles, at + 2, uvec4(floatBitsToUint(v2) & mask, 0u));
+        putCorner(at, uvec4(floatBitsToUint(v0) & mask, primitive));
+        putCorner(at + 1, uvec4(floatBitsToUint(v1) & mask, 0u));
+        putCorner(at + 2, uvec4(floatBitsToUint(v2) & mask, 0u));
         dropped -= kept ? 1u : 0u;
         lower = kept ? min(lower, min(v0, min(v1, v2))) : lower;
         upper = kept ? max(upper, max(v0, max(v1, v2))) : upper;
     }
     uvec3 box = toCells(lower, upper, jobs[job].gridOffset.xyz, jobs[job].cellsPerMetre.xyz);
-    imageStore(newNodes, int(texel), uvec4(dropped == all ? kNoBox : box, link));
+    putNode(texel, uvec4(dropped == all ? kNoBox : box, link));
     if (dropped > 0u) atomicAdd(quality[jobs[job].quality], dropped);
 }

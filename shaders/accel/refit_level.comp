@@ -3,10 +3,10 @@
 // The boxes of inner nodes of one height, each in its parent, from those of their own children. Whole cells of one
 // grid: nothing is rounded.
 #include "lib/refit.glsl"
+#include "lib/refit_stores.glsl"
 
 layout(local_size_x = 64) in;  // REFIT_THREADS
 layout(set = 0, binding = SLOT_REFIT_SLOTS) uniform usamplerBuffer slots;
-layout(set = 0, binding = SLOT_REFIT_NEW_NODES, rgba32ui) uniform writeonly uimageBuffer newNodes;
 
 void main() {
     uint job = refitJob();
@@ -16,5 +16,5 @@ void main() {
     uint node = texelFetch(nodes, int(texel)).w;
     int child = int(node * BVH_NODE_TEXELS);
     uvec3 box = unitedCells(texelFetch(nodes, child).xyz, texelFetch(nodes, child + 1).xyz);
-    imageStore(newNodes, int(texel), uvec4(box, node));
+    putNode(texel, uvec4(box, node));
 }

@@ -8,10 +8,10 @@ layout(push_constant) uniform Push { PoseParams params; };
 layout(set = 0, binding = SLOT_POSE_JOBS, std430) readonly buffer Jobs { PoseJob jobs[]; };
 layout(set = 0, binding = SLOT_REST_VERTICES) uniform usamplerBuffer restVertices;
 layout(set = 0, binding = SLOT_POSES) uniform samplerBuffer poses;
-layout(set = 0, binding = SLOT_POSED_POSITIONS, r32f) uniform imageBuffer posedPositions;
+layout(set = 0, binding = SLOT_POSED_POSITIONS, rgba32f) uniform imageBuffer posedPositions;
 layout(set = 0, binding = SLOT_POSED_NORMALS, r32f) uniform imageBuffer posedNormals;
 layout(set = 0, binding = SLOT_POSED_TANGENTS, rgba32f) writeonly uniform imageBuffer posedTangents;
-layout(set = 0, binding = SLOT_POSED_POSITIONS_BEFORE, r32f) writeonly uniform imageBuffer positionsBefore;
+layout(set = 0, binding = SLOT_POSED_POSITIONS_BEFORE, rgba32f) writeonly uniform imageBuffer positionsBefore;
 
 uint poseThread() {
     return (gl_WorkGroupID.y * POSE_GROUPS_IN_ROW + gl_WorkGroupID.x) * POSE_THREADS + gl_LocalInvocationID.x;
@@ -42,23 +42,14 @@ RestVertex restVertex(PoseJob job, uint vertex) {
                       uvec4(a.w & 0xffffu, a.w >> 16, b.w & 0xffffu, b.w >> 16));
 }
 
-vec3 positionAt(uint vertex) {
-    int at = int(vertex * 3u);
-    return vec3(imageLoad(posedPositions, at).x, imageLoad(posedPositions, at + 1).x,
-                imageLoad(posedPositions, at + 2).x);
-}
+vec3 positionAt(uint vertex) { return imageLoad(posedPositions, int(vertex)).xyz; }
 
 vec3 normalAt(uint vertex) {
     int at = int(vertex * 3u);
     return vec3(imageLoad(posedNormals, at).x, imageLoad(posedNormals, at + 1).x, imageLoad(posedNormals, at + 2).x);
 }
 
-void putPosition(uint vertex, vec3 p) {
-    int at = int(vertex * 3u);
-    imageStore(posedPositions, at, vec4(p.x));
-    imageStore(posedPositions, at + 1, vec4(p.y));
-    imageStore(posedPositions, at + 2, vec4(p.z));
-}
+void putPosition(uint vertex, vec3 p) { imageStore(posedPositions, int(vertex), vec4(p, 0.0)); }
 
 void putNormal(uint vertex, vec3 n) {
     int at = int(vertex * 3u);
@@ -69,11 +60,7 @@ void putNormal(uint vertex, vec3 n) {
 
 // Keeps where the vertex stood in the frame before; once a frame, before anything is put there.
 void keepBefore(PoseJob job, uint vertex) {
-    vec3 p = positionAt(job.firstVertex + vertex);
-    int at = int((job.firstBefore + vertex) * 3u);
-    imageStore(positionsBefore, at, vec4(p.x));
-    imageStore(positionsBefore, at + 1, vec4(p.y));
-    imageStore(positionsBefore, at + 2, vec4(p.z));
+    imageStore(positionsBefore, int(job.firstBefore + vertex), vec4(positionAt(job.firstVertex + vertex), 0.0));
 }
 
 // Unit, or as it was at rest where nothing is left of it: the twin of unitOr in engine/scene/pose.cpp.

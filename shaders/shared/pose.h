@@ -9,10 +9,10 @@ LAMPYRIS_SLOT(SLOT_POSE_JOBS, 0u);              // storage buffer of PoseJob, by
 LAMPYRIS_SLOT(SLOT_REST_VERTICES, 1u);          // texels RGBA32Uint: REST_TEXELS a vertex
 LAMPYRIS_SLOT(SLOT_MORPH_DELTAS, 2u);           // texels RGBA32Float: DELTA_TEXELS a vertex, target by target
 LAMPYRIS_SLOT(SLOT_POSES, 3u);                  // texels RGBA32Float: joints and weights of this frame
-LAMPYRIS_SLOT(SLOT_POSED_POSITIONS, 4u);        // storage texels R32Float: 3 a vertex
+LAMPYRIS_SLOT(SLOT_POSED_POSITIONS, 4u);        // storage texels RGBA32Float
 LAMPYRIS_SLOT(SLOT_POSED_NORMALS, 5u);          // storage texels R32Float: 3 a vertex
 LAMPYRIS_SLOT(SLOT_POSED_TANGENTS, 6u);         // storage texels RGBA32Float
-LAMPYRIS_SLOT(SLOT_POSED_POSITIONS_BEFORE, 7u); // storage texels R32Float: 3 a vertex
+LAMPYRIS_SLOT(SLOT_POSED_POSITIONS_BEFORE, 7u); // storage texels RGBA32Float
 
 LAMPYRIS_SLOT(POSE_THREADS, 64u);               // of a workgroup [chosen]
 // Workgroups side by side; more stand in further rows: a device may allow no more than 65535 in one. [chosen]

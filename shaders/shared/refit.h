@@ -12,7 +12,7 @@ LAMPYRIS_SLOT(SLOT_REFIT_NODES, 2u);          // texels RGBA32Uint, as SLOT_BVH_
 LAMPYRIS_SLOT(SLOT_REFIT_NEW_NODES, 3u);      // the same, to write
 LAMPYRIS_SLOT(SLOT_REFIT_TRIANGLES, 4u);      // texels RGBA32Uint, as SLOT_BVH_TRIANGLES
 LAMPYRIS_SLOT(SLOT_REFIT_NEW_TRIANGLES, 5u);  // the same, to write
-LAMPYRIS_SLOT(SLOT_REFIT_POSITIONS, 6u);      // texels R32Float, three a vertex
+LAMPYRIS_SLOT(SLOT_REFIT_POSITIONS, 6u);      // texels RGBA32Float
 LAMPYRIS_SLOT(SLOT_REFIT_INDICES, 7u);        // texels R32Uint
 LAMPYRIS_SLOT(SLOT_REFIT_QUALITY, 8u);        // uint[]: dropped triangles a job, then parts of costs as floats
 

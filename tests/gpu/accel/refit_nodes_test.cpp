@@ -2,6 +2,7 @@
 #include "accel/refit_nodes.h"
 #include "accel/tree_store.h"
 #include "execute/executor.h"
+#include "residency/pack_scene.h"
 #include "support/deformations.h"
 #include "support/gpu_test.h"
 
@@ -26,7 +27,7 @@ class Grove {
 
     explicit Grove(gpu::Device& device)
         : store(device),
-          positions(device, "posed positions", sizeof(float)),
+          positions(device, "posed positions", sizeof(residency::DevicePosition)),
           indices(device, "indices", sizeof(uint32_t)),
           executor(need(execute::Executor::create(device))) {}
 
@@ -47,7 +48,7 @@ class Grove {
 
     void load() {
         need(store.reserve());
-        need(positions.reserve(vertices * sizeof(glm::vec3)));
+        need(positions.reserve(vertices * sizeof(residency::DevicePosition)));
         need(indices.reserve(indexCount * sizeof(uint32_t)));
         const auto put = [](residency::ResidentBuffer& buffer, uint64_t offset, const auto& data) {
             need(buffer.stage(offset, std::as_bytes(std::span(data))));
@@ -57,7 +58,8 @@ class Grove {
             put(store.triangles, tree.range.firstTriangle * sizeof(LeafTriangle),
                 tree.blas.triangles);
             put(store.slots, tree.range.firstSlot * sizeof(uint32_t), tree.slots.texels);
-            put(positions, tree.firstVertex * sizeof(glm::vec3), tree.mesh.positions);
+            put(positions, tree.firstVertex * sizeof(residency::DevicePosition),
+                residency::packPositions(tree.mesh.positions));
             put(indices, tree.firstIndex * sizeof(uint32_t), tree.mesh.indices);
         }
     }
@@ -65,7 +67,9 @@ class Grove {
     /// Moves one tree's vertices, and its boxes on the CPU.
     accel::RefitJob move(uint32_t index, const std::vector<glm::vec3>& to) {
         Tree& tree = trees[index];
-        need(positions.stage(tree.firstVertex * sizeof(glm::vec3), std::as_bytes(std::span(to))));
+        const auto packed = residency::packPositions(to);
+        need(positions.stage(tree.firstVertex * sizeof(residency::DevicePosition),
+                             std::as_bytes(std::span(packed))));
         tree.blas.tree.grid = accel::gridAround(finiteBounds(to));
         const auto corners = accel::leafCorners(tree.blas.tree, tree.mesh.indices);
         tree.quality = accel::refitOnCpu(
@@ -84,14 +88,14 @@ class Grove {
     struct Result {
         std::vector<std::byte> nodes, triangles, quality;
     };
-    Result run(const std::vector<accel::RefitJob>& jobs) {
+    Result run(const std::vector<accel::RefitJob>& jobs, bool large = false) {
         graph::Frame frame;
         const auto refitted = addRefit(
             frame,
             {store.nodes.import(frame, "upload nodes"),
              store.triangles.import(frame, "upload triangles"),
              store.slots.import(frame, "upload slots"), positions.import(frame, "upload positions"),
-             indices.import(frame, "upload indices")},
+             indices.import(frame, "upload indices"), large},
             jobs);
         execute::RunOptions options;
         options.readBackBuffers = {refitted.nodes, refitted.triangles, refitted.quality};
@@ -137,9 +141,17 @@ class RefitNodesTest : public GpuTest {
     std::optional<Grove> grove;
 };
 
+/// Each deformation, written to storage buffers and, as where those are too small, to texels.
+std::vector<std::pair<Deformation, bool>> everyWay() {
+    std::vector<std::pair<Deformation, bool>> ways;
+    for (const bool large : {false, true})
+        for (const Deformation how : kDeformations) ways.emplace_back(how, large);
+    return ways;
+}
+
 TEST_F(RefitNodesTest, GiveTheBoxesOfTheCpu) {
     uint32_t seed = 1;
-    for (const Deformation how : kDeformations) {
+    for (const auto& [how, large] : everyWay()) {
         std::vector<accel::RefitJob> jobs;
         std::vector<uint32_t> nodes, moved;
         for (uint32_t i = 0; i < grove->trees.size(); ++i) {
@@ -148,7 +160,7 @@ TEST_F(RefitNodesTest, GiveTheBoxesOfTheCpu) {
             nodes.push_back(jobs.back().nodes);
             moved.push_back(i);
         }
-        const auto result = grove->run(jobs);
+        const auto result = grove->run(jobs, large);
         grove->expectSame(result);
         const auto quality = accel::readQuality(nodes, result.quality);
         for (size_t k = 0; k < moved.size(); ++k) {

@@ -1,5 +1,6 @@
 // What of a scene goes over to the device, and what arrives there.
 #include "residency/scene_on_gpu.h"
+#include "residency/pack_scene.h"
 
 #include "execute/executor.h"
 #include "residency/resident_buffer.h"
@@ -49,7 +50,7 @@ TEST_F(ResidencyTest, SendsEverythingOnceAndThenNothing) {
     const UploadCounts first = onGpu->lastUpload();
     // 4 + 30 vertices of position and normal, 6 + 30 indices, and texture coordinates for the
     // square alone.
-    EXPECT_EQ(first.geometryBytes, 34u * 24u + 36u * 4u + 4u * 16u);
+    EXPECT_EQ(first.geometryBytes, 34u * 28u + 36u * 4u + 4u * 16u);
     EXPECT_EQ(first.instanceBytes, 2 * sizeof(shared::GpuInstance));
     EXPECT_EQ(first.materialBytes, sizeof(shared::GpuMaterial));
     EXPECT_EQ(first.lightBytes, sizeof(shared::GpuLight));
@@ -69,7 +70,7 @@ TEST_F(ResidencyTest, SendsOnlyWhatChanged) {
     EXPECT_EQ(onGpu->lastUpload().total(), sizeof(shared::GpuLight));
     builder.replaceMesh(0, unitSquare());
     need(onGpu->update(builder.snapshot));
-    EXPECT_EQ(onGpu->lastUpload().geometryBytes, 4u * (24u + 16u) + 6u * 4u);
+    EXPECT_EQ(onGpu->lastUpload().geometryBytes, 4u * (28u + 16u) + 6u * 4u);
     EXPECT_EQ(onGpu->lastUpload().instanceBytes, sizeof(shared::GpuInstance));
 }
 
@@ -119,11 +120,11 @@ TEST_F(ResidencyTest, PutsMeshesWhereTheDrawsSay) {
         const auto& instance = builder.snapshot.instances[draw.instance];
         const auto& mesh = *builder.snapshot.meshes[instance.mesh].value;
         EXPECT_EQ(draw.indexCount, mesh.indices.size());
-        const size_t bytes = mesh.positions.size() * sizeof(glm::vec3);
+        const auto packed = residency::packPositions(mesh.positions);
+        const size_t bytes = packed.size() * sizeof(residency::DevicePosition);
         ASSERT_LE(draw.positionOffsetBytes + bytes, positions.size());
-        EXPECT_EQ(
-            std::memcmp(positions.data() + draw.positionOffsetBytes, mesh.positions.data(), bytes),
-            0);
+        EXPECT_EQ(std::memcmp(positions.data() + draw.positionOffsetBytes, packed.data(), bytes),
+                  0);
     }
 }
 
