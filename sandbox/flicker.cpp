@@ -25,7 +25,8 @@ constexpr const char* kAbout =
     "not, on 8x8 pixels. lag: frames after the strongest light is switched or moved until a tenth\n"
     "of the change is left. MSSIM: of the time-averaged frame against the reference. frozen: the\n"
     "same with the same paths in every frame.\n"
-    "Here --frames is 64 (dynamic 32), --warmup 40, --size 640x360 (dynamic 320x180 at most),\n"
+    "Here --frames is 64 (dynamic 32), --warmup the history and 8, --size 640x360 (dynamic 320x180 "
+    "at most),\n"
     "--light-cutoff 0; without --pipeline, all are measured.";
 
 core::Result<void> checkEnding(const char* flag, const std::filesystem::path& file,

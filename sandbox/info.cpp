@@ -5,6 +5,7 @@
 #include <memory>
 #include <thread>
 
+#include "accel/accel_settings.h"
 #include "command.h"
 #include "gpu/device.h"
 #include "shader_watch.h"
@@ -18,7 +19,8 @@ void printDisplay() {
     if (!monitors.ok()) return fmt::print("display: none, {}\n", monitors.error().message);
     if (monitors.value().empty()) fmt::print("display: without a monitor\n");
     for (const window::MonitorInfo& m : monitors.value())
-        fmt::print("display: {}, {}x{} at {} Hz\n", m.name, m.width, m.height, m.hertz);
+        fmt::print("display: {}, {}x{}{}\n", m.name, m.width, m.height,
+                   m.hertz > 0 ? fmt::format(" at {} Hz", m.hertz) : "");
 }
 
 core::Result<void> printInfo(const gpu::DeviceOptions& options) {
@@ -29,7 +31,8 @@ core::Result<void> printInfo(const gpu::DeviceOptions& options) {
     fmt::print("driver: {}\n", info.driver);
     fmt::print("api version: {}\n", info.apiVersion);
     fmt::print("validation layer: {}\n", gpu::validationLayer().ok() ? "there" : "missing");
-    fmt::print("deforming meshes are refitted on: {}\n", info.kind == "cpu" ? "CPU" : "device");
+    fmt::print("deforming meshes are refitted on: {}\n",
+               accel::refitsOnCpu(info.kind) ? "CPU" : "device");
     fmt::print("worker threads: {}\n", std::thread::hardware_concurrency());
     printDisplay();
     const std::filesystem::path shaders = ShaderWatch::builtFrom();

@@ -43,8 +43,9 @@ struct Preset {
     uint32_t gridColumns;
     uint32_t shadowDivisor = 4, shadowRays = 8;
 };
-constexpr Preset kTiles{1000, 1.0f, 2, 0, 0, 0};  // the Thesis's
-constexpr Preset kFineTiles{100000, 0.25f, 1, 0, 0, 0};
+// The Thesis's; rays and filter are for those who go on to the final gather.
+constexpr Preset kTiles{1000, 1.0f, 2, 3, 2, 8};
+constexpr Preset kFineTiles{100000, 0.25f, 1, 3, 2, 8};
 constexpr Preset kFast{2500, 1.0f, 8, 3, 2, 8};
 constexpr Preset kFine{16000, 0.5f, 4, 6, 2, 12};
 

@@ -114,6 +114,7 @@ Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {
         static_cast<State*>(glfwGetWindowUserPointer(from))->input.scrolled += lines;
     });
     glfwGetCursorPos(window, &state_->input.cursorX, &state_->input.cursorY);
+    x11WindowIsNew(window);
     watchX11Errors();
     endWhereX11IsLost({});
 }

@@ -22,6 +22,10 @@ class Gone {
         const std::scoped_lock lock(mutex_);
         ids_.insert(id);
     }
+    void forget(XID id) {
+        const std::scoped_lock lock(mutex_);
+        ids_.erase(id);
+    }
     [[nodiscard]] bool has(XID id) const {
         const std::scoped_lock lock(mutex_);
         return ids_.count(id) > 0;
@@ -67,6 +71,10 @@ void endWhereX11IsLost(std::function<void()> last) {
 
 void watchX11Errors() {
     XSetErrorHandler(onError);
+}
+
+void x11WindowIsNew(GLFWwindow* window) {
+    gone().forget(glfwGetX11Window(window));
 }
 
 bool x11WindowWasDestroyed(GLFWwindow* window) {

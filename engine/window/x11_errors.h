@@ -15,6 +15,9 @@ void watchX11Errors();
 /// breaks, after `last` was called. Xlib cannot go on then, and would end it with words of its own.
 void endWhereX11IsLost(std::function<void()> last);
 
+/// Ids return: one that was another window's before is this one's now.
+void x11WindowIsNew(GLFWwindow* window);
+
 /// Whether an error said that this window is gone: somebody destroyed it under the program.
 [[nodiscard]] bool x11WindowWasDestroyed(GLFWwindow* window);
 

@@ -12,7 +12,7 @@ namespace lampyris::accel {
 namespace {
 
 // [measured] Another size makes six pipelines anew, on lavapipe a third of a second and 31 MiB that
-// stay; a larger stack costs no time.
+// stay; a larger stack costs no time there.
 constexpr uint32_t kStackStep = 16;
 
 /// The tree of a mesh at rest.
@@ -33,11 +33,6 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
         .count();
 }
 
-bool refitsOnCpu(const residency::SceneOnGpu& scene, RefitPath path) {
-    if (path != RefitPath::Automatic) return path == RefitPath::Cpu;
-    return scene.device().info().kind == "cpu";
-}
-
 /// Versions of the meshes that some instance has at rest, or no instance at all.
 std::set<uint64_t> meshesAtRest(const scene::SceneSnapshot& snapshot) {
     std::vector<bool> posed(snapshot.meshes.size(), false), rest(snapshot.meshes.size(), false);
@@ -55,7 +50,8 @@ struct AccelOnGpu::Parts {
     Parts(const residency::SceneOnGpu& scene, const AccelSettings& settings)
         : scene(&scene),
           store(scene.device()),
-          posed(store, builder, refitsOnCpu(scene, settings.refit), settings.rebuild) {}
+          posed(store, builder, refitsOnCpu(scene.device().info().kind, settings.refit),
+                settings.rebuild) {}
 
     core::Result<void> followMeshes(const scene::SceneSnapshot& snapshot);
     core::Result<void> load(residency::Loading& loading, Built& next);

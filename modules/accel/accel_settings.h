@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace lampyris::accel {
 
@@ -23,6 +24,12 @@ struct RebuildPolicy {
     /// for some seconds at most
     uint64_t trianglesInFlight = 2'000'000;
 };
+
+/// \param deviceKind  as gpu::DeviceInfo::kind
+[[nodiscard]] inline bool refitsOnCpu(std::string_view deviceKind,
+                                      RefitPath path = RefitPath::Automatic) {
+    return path == RefitPath::Automatic ? deviceKind == "cpu" : path == RefitPath::Cpu;
+}
 
 struct AccelSettings {
     RefitPath refit = RefitPath::Automatic;

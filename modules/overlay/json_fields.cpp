@@ -63,14 +63,21 @@ bool editNumber(const char* label, Json& value) {
 
 /// A half-written name is no name: it counts once the field is left, by Enter or for another.
 bool editText(const char* label, Json& value) {
-    static std::string typed;  // ImGui forgets it in the frame that leaves the field
+    // ImGui forgets what was typed in the frame that leaves the field.
+    static struct {
+        ImGuiID field = 0;
+        std::string words;
+    } typed;
+    const ImGuiID field = ImGui::GetID(label);
+    const bool left = typed.field == field;
     std::string words = value.get<std::string>();
     const bool entered = ImGui::InputText(label, &words, ImGuiInputTextFlags_EnterReturnsTrue);
-    if (ImGui::IsItemActive()) typed = words;
     const bool dropped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    const bool left = ImGui::IsItemDeactivatedAfterEdit() && !dropped;
-    if (!entered && !left) return false;
-    value = entered ? words : typed;
+    const bool done = entered || (left && ImGui::IsItemDeactivatedAfterEdit() && !dropped);
+    const std::string result = entered ? words : typed.words;
+    if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) typed = {field, words};
+    if (!done) return false;
+    value = result;
     return true;
 }
 

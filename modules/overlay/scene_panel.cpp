@@ -55,14 +55,17 @@ void ScenePanel::draw(ecs::World& world, ecs::Entity& selected, bool* open) {
     ImGui::SetNextWindowSize({380.0f, 560.0f}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Scene", open)) {
         if (!world.alive(selected)) selected = {};
+        ecs::Entity clicked = selected;
         ImGui::InputText("find", &filter_);
         ImGui::BeginChild("tree", {0.0f, kTreeHeight}, true);
         for (const ecs::Entity entity : ecs::parentsFirst(world)) {
             const bool root = !world.alive(ecs::parentOf(world, entity));
-            if (filter_.empty() ? root : matches(world, entity)) drawTree(world, entity, selected);
+            if (filter_.empty() ? root : matches(world, entity)) drawTree(world, entity, clicked);
         }
         ImGui::EndChild();
+        // Before another is chosen, so that a field that is left for it keeps what was typed.
         if (world.alive(selected)) drawInspector(world, selected);
+        selected = clicked;
     }
     ImGui::End();
 }

@@ -12,7 +12,7 @@ constexpr graph::Extent kStillSize{640, 360};
 constexpr graph::Extent kMovingSize{320, 180};  // [DESIGN.md] of dynamic flicker
 constexpr uint32_t kStillFrames = 64;           // [DESIGN.md]
 constexpr uint32_t kMovingFrames = 32;          // [DESIGN.md]
-constexpr uint32_t kLeastWarmup = 40;           // [chosen] the same for those without a history
+constexpr uint32_t kLeastWarmup = 40;           // [chosen] frames of warm-up without a history
 constexpr uint32_t kPastHistory = 8;            // [chosen] frames of warm-up after the history
 /// Frames after a change until the mean over frames is full, where its length is the default.
 constexpr uint32_t kSettled = photon_gi::Settings{}.history + kPastHistory;

@@ -54,6 +54,10 @@ graph::Image addEnlarged(graph::Frame& frame, graph::Image shown, graph::Extent 
 void overrideBy(const ViewOptions& options, ViewState& state) {
     const photon_gi::Settings asked = settingsOf(options);
     const photon_gi::Settings usual = settingsOf(Options{});
+    const bool preset = options.given.count("--quality") + options.given.count("--pipeline") +
+                            options.given.count("--gather") >
+                        0;
+    if (preset) state.settings = asked;  // these say what all others begin with
     for (const overlay::SettingInfo& info : overlay::settingList()) {
         std::string option = fmt::format("--{}", info.name);
         std::replace(option.begin(), option.end(), ' ', '-');

@@ -31,9 +31,10 @@ layout(set = 0, binding = SLOT_HISTORY_MOTION) uniform sampler2D motion;
 const float kLeastWeight = 0.05;
 // [chosen] Share of the light by which a mean may lag behind a change that goes on.
 const float kMostLag = 0.15;
-// [chosen] The last frames' light, this far from what was expected, is no chance.
+// [chosen] The last frames' light, this far from what was expected, is no chance: fewer take sparks for changes, more
+// leave small changes to the mean.
 const float kDeviations = 3.0;
-// What few frames tell of the spread may be too little by 1 + this / frames: one case in a hundred of χ².
+// [eq] What few frames tell of the spread may be too little by 1 + this / frames: one case in a hundred of χ².
 const float kFewFrames = 12.0;
 const float kNewest = 0.25;  // a frame's weight in the last frames' light: its spread is √(1/7) of a frame's
 const float kLeastDeviation = 0.02;
@@ -138,15 +139,16 @@ void main() {
         before.position += texelFetch(motion, representative(texel), 0).xyz;
 #endif
         Remembered remembered = rememberedAt(before);
-        float frames = min(floor(remembered.frames + 0.5), float(past.mostFrames));
+        float known = min(floor(remembered.frames + 0.5), float(past.mostFrames));  // that the moments are of
+        float frames = known;
         float change = changeByRegions(place.position, past.regionCount);
         if (past.lightCount > 0u) change += changeByLights(place.position, past.regionCount, past.lightCount);
         if (change > 0.0) frames = min(frames, kMostLag / change);
-        float stale = change > 0.0 ? frames : min(remembered.moments.w, frames);
+        float stale = change > 0.0 ? frames : min(remembered.moments.w * known / max(remembered.frames, 1.0), frames);
         if (frames > 0.0) moments.z = mix(remembered.moments.z, seen, max(kNewest, 1.0 / (frames + 1.0)));
         if (past.doubted != 0u && frames >= kFramesToJudge && stale >= kLeastStale * frames) {
             remembered.moments.z = moments.z;
-            float given = disagreement(remembered.moments, frames);
+            float given = disagreement(remembered.moments, known);
             float scale = mix(1.0, moments.z / max(remembered.moments.x, 1e-30), given);
             remembered.light.irradiance *= scale;
             remembered.light.slope *= scale;
