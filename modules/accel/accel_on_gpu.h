@@ -19,7 +19,7 @@ struct AccelHandles {
     graph::Buffer nodes;      ///< RGBA32Float texels, BVH_NODE_TEXELS a node; TLAS and BLASes
     graph::Buffer triangles;  ///< RGBA32Float texels, BVH_TRIANGLE_TEXELS a triangle
     shared::GpuBvhRoot root;
-    uint32_t stackEntries = 16;  ///< at least what traversal needs; never falls
+    uint32_t stackEntries = 64;  ///< at least what traversal needs; never falls
     graph::Buffer quality;       ///< to read back for AccelOnGpu::learn(), after the frame; invalid
                                  ///< where the device refits nothing
 };
