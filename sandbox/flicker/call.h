@@ -12,9 +12,9 @@ constexpr graph::Extent kStillSize{640, 360};
 constexpr graph::Extent kMovingSize{320, 180};  // [DESIGN.md] of dynamic flicker
 constexpr uint32_t kStillFrames = 64;           // [DESIGN.md]
 constexpr uint32_t kMovingFrames = 32;          // [DESIGN.md]
-constexpr uint32_t kLeastWarmup = 40;           // [chosen] frames of warm-up without a history
 constexpr uint32_t kPastHistory = 8;            // [chosen] frames of warm-up after the history
-/// Frames after a change until the mean over frames is full, where its length is the default.
+/// Frames after a change until the mean over frames is full, where its length is the default. Rows
+/// without a history wait as long: all are measured at one moment.
 constexpr uint32_t kSettled = photon_gi::Settings{}.history + kPastHistory;
 constexpr double kTimestep = 1.0 / 60.0;  // seconds
 constexpr uint32_t kStillSamples = 64;    // [chosen] a pixel of the reference: a minute
@@ -37,7 +37,7 @@ struct Call {
     [[nodiscard]] uint32_t movingFrames() const { return options.frames.value_or(kMovingFrames); }
     [[nodiscard]] uint32_t warmup() const {
         const uint32_t learns = settingsOf(options).history + kPastHistory;
-        return options.warmup.value_or(std::max(kLeastWarmup, learns));
+        return options.warmup.value_or(std::max(kSettled, learns));
     }
     [[nodiscard]] double timestep() const { return options.timestep.value_or(kTimestep); }
 };
