@@ -16,8 +16,8 @@ namespace {
 
 constexpr float kLengthPixels = 90.0f;
 constexpr float kReachPixels = 8.0f;  // [chosen] how near the mouse must be
-constexpr float kEndOn =
-    0.01f;  // [chosen] square of the sine of 6°: an axis that is no length to drag
+// [chosen] Square of the sine of 6°: an axis looked at so has no length to drag.
+constexpr float kEndOn = 0.01f;
 constexpr int kCirclePoints = 48;
 constexpr std::array<ImU32, 3> kColours{IM_COL32(235, 70, 60, 255), IM_COL32(90, 210, 80, 255),
                                         IM_COL32(80, 130, 245, 255)};

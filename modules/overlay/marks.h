@@ -25,7 +25,7 @@ struct MarkChoice {
     bool boxes = false;         ///< of the BVH
     uint32_t boxLevel = 4;      ///< below the root
     Heat heat = Heat::None;
-    float heatMost = 80.0f;  ///< shown as white
+    float heatMost = photon_gi::Settings{}.history;  ///< shown as white: of frames, a full mean
     float heatOpacity = 0.7f;
 
     [[nodiscard]] bool any() const { return photons || paths || boxes || heat != Heat::None; }
