@@ -204,7 +204,8 @@ TEST_F(ReloadTest, FramesGoOnWhileAShaderIsCompiled) {
         EXPECT_EQ(runDoubled(), 11u);
     }
     EXPECT_EQ(settled[0].state, ShaderState::Ok) << settled[0].error;
-    EXPECT_GT(frames, 1u);
+    EXPECT_GE(frames, 1u);
+    EXPECT_LT(longest * 1e3, settled[0].milliseconds / 4.0);  // nobody waited for the compiler
     std::cout << frames << " frames while it compiled; the longest look took " << longest * 1e3
               << " ms\n";
 }
