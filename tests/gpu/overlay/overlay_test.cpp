@@ -147,6 +147,45 @@ TEST_F(OverlayNodes, KnowsThatKeysGoIntoAField) {
     EXPECT_FALSE(overlay.typing());
 }
 
+TEST_F(OverlayNodes, KeepsWhatWasTypedWhereAFieldIsLeftForAnotherEntity) {
+    constexpr graph::Extent kLarge{1280, 720};
+    Overlay overlay = need(Overlay::create(device()));
+    ecs::Registry registry;
+    scene::registerComponents(registry);
+    ScenePanel panel(registry);
+    ecs::World world;
+    const ecs::Entity other = world.create();
+    world.add(other, scene::Name{"other"});
+    const ecs::Entity named = world.create();
+    world.add(named, scene::Name{"lamp"});
+    ecs::Entity selected = named;
+    const auto frameWith = [&](double x, double y, bool down, const std::u32string& typed = {}) {
+        window::Input input;
+        input.cursorX = x;
+        input.cursorY = y;
+        input.buttons[0] = down;
+        input.typed = typed;
+        overlay.begin(input, kLarge, kLarge, 0.1);
+        bool open = true;
+        panel.draw(world, selected, &open);
+        overlay.end();
+    };
+    const auto clickAt = [&](double x, double y) {
+        for (const bool down : {false, false, true, true, false, false}) frameWith(x, y, down);
+    };
+    // The one field under the tree.
+    double y = 490.0;
+    for (; y < 600.0 && !overlay.typing(); y += 4.0) clickAt(960.0, y);
+    ASSERT_TRUE(overlay.typing());
+    frameWith(960.0, y, false, U"!");
+    frameWith(960.0, y, false);
+    EXPECT_EQ(world.get<scene::Name>(named).value, "lamp") << "half written";
+    for (double row = 240.0; row < 330.0 && selected != other; row += 4.0) clickAt(960.0, row);
+    EXPECT_EQ(selected, other);
+    EXPECT_NE(world.get<scene::Name>(named).value.find('!'), std::string::npos);
+    EXPECT_EQ(world.get<scene::Name>(other).value, "other");
+}
+
 TEST_F(OverlayNodes, LooksAtAnImageWithItsRangeAndHistogram) {
     ImageLook look = need(ImageLook::create(device()));
     look.choice.name = "shown";

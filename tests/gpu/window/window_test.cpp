@@ -211,6 +211,22 @@ TEST_F(WindowTest, EscapeCloses) {
     xdotool("keyup Escape");
 }
 
+TEST_F(WindowTest, KeepsWhatCameWhileItWaited) {
+    auto window = need(window::Window::create({"waits", 200, 200}));
+    for (int i = 0; i < 10; ++i) window.poll();
+    if (!xdotool("search --sync --name waits windowfocus --sync"))
+        GTEST_SKIP() << "xdotool is not installed";
+    ASSERT_TRUE(xdotool("key j"));
+    for (int i = 0; i < 5; ++i) window.waitForEvents(0.1);
+    window.poll();
+    EXPECT_TRUE(window.input().wasPressed('J'));
+    EXPECT_EQ(window.input().typed, U"j");
+    window.waitForEvents(0.0);
+    window.poll();
+    EXPECT_FALSE(window.input().wasPressed('J')) << "once";
+    EXPECT_TRUE(window.input().typed.empty());
+}
+
 TEST(Fitted, PicturesAreAsLargeAsFitsInTheMiddle) {
     const auto wide = window::fitted({160, 90}, {640, 480});
     EXPECT_EQ(wide.extent.width, 640u);
