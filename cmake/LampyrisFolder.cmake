@@ -16,6 +16,9 @@ endif()
 
 add_library(lampyris_options INTERFACE)
 target_compile_options(lampyris_options INTERFACE -Wall -Wextra -Wpedantic -Werror)
+if(LAMPYRIS_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(lampyris_options INTERFACE -Wno-maybe-uninitialized) # GCC: false alarms beside sanitizers
+endif()
 
 function(lampyris_folder NAME)
     cmake_parse_arguments(ARG "" "ROOM" "SOURCES;FOLDERS;LIBRARIES;PUBLIC_LIBRARIES" ${ARGN})

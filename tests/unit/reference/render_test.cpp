@@ -244,11 +244,11 @@ TEST(Render, StopsSoonWhereItIsTold) {
 TEST(Render, WithoutSamplesHasWhatNeedsNone) {
     Settings settings = settingsFor(16, 9, 0);
     settings.smoothIndirect = true;
-    const auto result = render(cornell(), cornell().cameras.front(), settings,
-                               [](uint64_t, uint64_t) {
-                                   ADD_FAILURE() << "nothing is to be done";
-                                   return true;
-                               });
+    const auto result =
+        render(cornell(), cornell().cameras.front(), settings, [](uint64_t, uint64_t) {
+            ADD_FAILURE() << "nothing is to be done";
+            return true;
+        });
     ASSERT_TRUE(result.ok());
     EXPECT_GT(meanOf(result.value().albedo).x, 0.1);
     EXPECT_EQ(meanOf(result.value().direct), glm::dvec3(0.0));
