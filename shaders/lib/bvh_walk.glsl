@@ -117,10 +117,9 @@ bool walkBvh(vec3 origin, vec3 direction, float tMin, float tMax, bool any, out 
                 hit.primitive = primitive;
                 triangle = next;
             }
-            if (any && triangle != BVH_NOTHING) return true;
-            link = stack[--top];
+            link = any && triangle != BVH_NOTHING ? BVH_NOTHING : stack[--top];
         }
-        if (bvhInstanced == 0u) break;
+        if (bvhInstanced == 0u || (any && triangle != BVH_NOTHING)) break;
         if (link != BVH_NOTHING) {
             uint record = link & BVH_INDEX_MASK;
             vec4 x = uintBitsToFloat(nodeTexel(record, 0)), y = uintBitsToFloat(nodeTexel(record, 1));
