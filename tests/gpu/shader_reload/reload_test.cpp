@@ -189,7 +189,7 @@ TEST_F(ReloadTest, FramesGoOnWhileAShaderIsCompiled) {
     runDoubled();
     ShaderReloader reloader = watch();
     std::string text = original("doubled.comp");
-    for (int i = 0; i < 4000; ++i)  // long enough to be seen at work
+    for (int i = 0; i < 20000; ++i)  // long enough to be seen at work
         text += fmt::format("float f{}(float x) {{ return sin(x) * {}.0; }}\n", i, i);
     write("doubled.comp", text);
     uint32_t frames = 0;
@@ -204,7 +204,7 @@ TEST_F(ReloadTest, FramesGoOnWhileAShaderIsCompiled) {
         EXPECT_EQ(runDoubled(), 11u);
     }
     EXPECT_EQ(settled[0].state, ShaderState::Ok) << settled[0].error;
-    EXPECT_GE(frames, 1u);
+    EXPECT_GT(frames, 1u);
     EXPECT_LT(longest * 1e3, settled[0].milliseconds / 4.0);  // nobody waited for the compiler
     std::cout << frames << " frames while it compiled; the longest look took " << longest * 1e3
               << " ms\n";
