@@ -120,8 +120,17 @@ TEST_F(OverlayNodes, TakesClicksOnItsPanelsAndLeavesTheOthers) {
     EXPECT_FALSE(pointAt(429, 39, false).second);
 }
 
-TEST_F(OverlayNodes, KnowsThatKeysGoIntoAField) {
+/// A frame of the scene panel in a window that has room for it.
+void drawScene(Overlay& overlay, ScenePanel& panel, ecs::World& world, ecs::Entity& selected,
+               const window::Input& input) {
     constexpr graph::Extent kLarge{1280, 720};
+    overlay.begin(input, kLarge, kLarge, 0.1);
+    bool open = true;
+    panel.draw(world, selected, &open);
+    overlay.end();
+}
+
+TEST_F(OverlayNodes, KnowsThatKeysGoIntoAField) {
     Overlay overlay = need(Overlay::create(device()));
     ecs::Registry registry;
     scene::registerComponents(registry);
@@ -133,10 +142,7 @@ TEST_F(OverlayNodes, KnowsThatKeysGoIntoAField) {
         input.cursorX = 960;
         input.cursorY = 217;
         input.buttons[0] = down;
-        overlay.begin(input, kLarge, kLarge, 0.1);
-        bool open = true;
-        panel.draw(world, selected, &open);
-        overlay.end();
+        drawScene(overlay, panel, world, selected, input);
     };
     for (int i = 0; i < 3; ++i) frameWith(false);
     EXPECT_FALSE(overlay.typing());
@@ -148,7 +154,6 @@ TEST_F(OverlayNodes, KnowsThatKeysGoIntoAField) {
 }
 
 TEST_F(OverlayNodes, KeepsWhatWasTypedWhereAFieldIsLeftForAnotherEntity) {
-    constexpr graph::Extent kLarge{1280, 720};
     Overlay overlay = need(Overlay::create(device()));
     ecs::Registry registry;
     scene::registerComponents(registry);
@@ -165,10 +170,7 @@ TEST_F(OverlayNodes, KeepsWhatWasTypedWhereAFieldIsLeftForAnotherEntity) {
         input.cursorY = y;
         input.buttons[0] = down;
         input.typed = typed;
-        overlay.begin(input, kLarge, kLarge, 0.1);
-        bool open = true;
-        panel.draw(world, selected, &open);
-        overlay.end();
+        drawScene(overlay, panel, world, selected, input);
     };
     const auto clickAt = [&](double x, double y) {
         for (const bool down : {false, false, true, true, false, false}) frameWith(x, y, down);
