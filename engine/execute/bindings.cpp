@@ -119,7 +119,7 @@ VkSampler Samplers::get(graph::Filtering filtering, graph::Addressing addressing
 
 core::Result<VkDescriptorSet> makeDescriptorSet(Recording& recording, const graph::Node& node,
                                                 const SetLayout& layout) {
-    TRY(VkDescriptorSet set, recording.slot.descriptors.allocate(layout.set.get(), node.name));
+    TRY(VkDescriptorSet set, recording.slot.descriptors.allocate(layout.set.get()));
     std::vector<Descriptor> descriptors(layout.slots.size());
     std::vector<VkWriteDescriptorSet> writes;
     for (size_t i = 0; i < layout.slots.size(); ++i) {

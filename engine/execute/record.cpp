@@ -10,6 +10,7 @@ using Clock = std::chrono::steady_clock;
 
 core::Result<void> recordNode(Recording& recording, const graph::Step& step) {
     const graph::Node& node = recording.frame.nodes()[step.node];
+    const gpu::Label label{recording.device, recording.commands, node.name};
     switch (node.kind) {
         case graph::NodeKind::Compute:
             return recordCompute(recording, node);

@@ -37,6 +37,15 @@ core::Result<void> Commands::end() {
     return {};
 }
 
+Label::Label(const Device& device, VkCommandBuffer commands, const std::string& name)
+    : device_(device), commands_(commands) {
+    device_.beginLabel(commands_, name);
+}
+
+Label::~Label() {
+    device_.endLabel(commands_);
+}
+
 core::Result<void> submit(Device& device, const Commands& commands, const SubmitOptions& options) {
     auto buffer =
         vulkanStruct<VkCommandBufferSubmitInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO);

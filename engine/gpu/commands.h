@@ -28,6 +28,20 @@ class Commands {
     VkCommandBuffer buffer_ = VK_NULL_HANDLE;
 };
 
+/// A name for what is recorded while this lives, for debuggers and for what the validation layer
+/// says meanwhile. One at a time.
+class Label {
+ public:
+    Label(const Device& device, VkCommandBuffer commands, const std::string& name);
+    ~Label();
+    Label(const Label&) = delete;
+    Label& operator=(const Label&) = delete;
+
+ private:
+    const Device& device_;
+    VkCommandBuffer commands_;
+};
+
 struct SubmitOptions {
     VkSemaphore wait = VK_NULL_HANDLE;
     VkPipelineStageFlags2 waitStages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;

@@ -68,8 +68,7 @@ core::Result<void> DescriptorPool::grow() {
     return {};
 }
 
-core::Result<VkDescriptorSet> DescriptorPool::allocate(VkDescriptorSetLayout layout,
-                                                       const std::string& name) {
+core::Result<VkDescriptorSet> DescriptorPool::allocate(VkDescriptorSetLayout layout) {
     while (true) {
         const bool fresh = current_ == pools_.size();
         if (fresh) TRY_VOID(grow());
@@ -80,10 +79,7 @@ core::Result<VkDescriptorSet> DescriptorPool::allocate(VkDescriptorSetLayout lay
         info.pSetLayouts = &layout;
         VkDescriptorSet set = VK_NULL_HANDLE;
         const VkResult result = vkAllocateDescriptorSets(device_->get(), &info, &set);
-        if (result == VK_SUCCESS) {
-            setName(*device_, VK_OBJECT_TYPE_DESCRIPTOR_SET, set, name);
-            return set;
-        }
+        if (result == VK_SUCCESS) return set;
         const bool full =
             result == VK_ERROR_OUT_OF_POOL_MEMORY || result == VK_ERROR_FRAGMENTED_POOL;
         if (!full || fresh) return vulkanError(result, "vkAllocateDescriptorSets");

@@ -26,11 +26,12 @@ core::Result<PipelineLayout> createPipelineLayout(const Device& device, VkDescri
                                                   uint32_t pushBytes, VkShaderStageFlags pushStages,
                                                   const std::string& name);
 
-/// Gives out sets; all go back at once with reset().
+/// Gives out sets; all go back at once with reset(). Sets have no names: they live for a frame, and
+/// drivers keep a name past vkResetDescriptorPool. The label of their node says whose they are.
 class DescriptorPool {
  public:
     explicit DescriptorPool(Device& device) : device_(&device) {}
-    core::Result<VkDescriptorSet> allocate(VkDescriptorSetLayout layout, const std::string& name);
+    core::Result<VkDescriptorSet> allocate(VkDescriptorSetLayout layout);
     core::Result<void> reset();
 
  private:

@@ -83,9 +83,14 @@ core::Result<void> Device::createDevice(const DeviceOptions& options) {
 }
 
 core::Result<void> Device::begin() {
-    if (instance_.canName())
+    if (instance_.canName()) {
         setObjectName_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
             vkGetDeviceProcAddr(device_, "vkSetDebugUtilsObjectNameEXT"));
+        beginLabel_ = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
+            vkGetDeviceProcAddr(device_, "vkCmdBeginDebugUtilsLabelEXT"));
+        endLabel_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
+            vkGetDeviceProcAddr(device_, "vkCmdEndDebugUtilsLabelEXT"));
+    }
     memory_ =
         std::make_unique<MemoryAllocator>(physical_, device_, info_.limits.maxMemoryAllocationSize);
     TRY(pipelineCache_, PipelineCache::open(physical_, device_, defaultCacheFolder()));
@@ -113,6 +118,19 @@ void Device::setName(VkObjectType type, uint64_t object, const std::string& name
     const VkResult result = setObjectName_(device_, &info);
     if (result != VK_SUCCESS)
         core::logDebug("{}", vulkanError(result, "vkSetDebugUtilsObjectNameEXT").message);
+}
+
+void Device::beginLabel(VkCommandBuffer commands, const std::string& name) const {
+    if (validated()) instance_.log()->setLabel(name);
+    if (beginLabel_ == nullptr) return;
+    auto label = vulkanStruct<VkDebugUtilsLabelEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT);
+    label.pLabelName = name.c_str();
+    beginLabel_(commands, &label);
+}
+
+void Device::endLabel(VkCommandBuffer commands) const {
+    if (validated()) instance_.log()->setLabel({});
+    if (endLabel_ != nullptr) endLabel_(commands);
 }
 
 core::Result<void> Device::waitIdle() {

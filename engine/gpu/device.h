@@ -47,6 +47,9 @@ class Device {
 
     /// Names an object for the validation layer and for debuggers.
     void setName(VkObjectType type, uint64_t object, const std::string& name) const;
+    /// Of class Label.
+    void beginLabel(VkCommandBuffer commands, const std::string& name) const;
+    void endLabel(VkCommandBuffer commands) const;
     /// Waits until the device has done all it was given.
     core::Result<void> waitIdle();
 
@@ -74,7 +77,9 @@ class Device {
     DeviceInfo info_;
     std::unique_ptr<MemoryAllocator> memory_;
     PipelineCache pipelineCache_;
-    PFN_vkSetDebugUtilsObjectNameEXT setObjectName_ = nullptr;
+    PFN_vkSetDebugUtilsObjectNameEXT setObjectName_ = nullptr;  ///< these three: all or none
+    PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel_ = nullptr;
+    PFN_vkCmdEndDebugUtilsLabelEXT endLabel_ = nullptr;
 };
 
 /// Device::setName for any handle type.

@@ -1,5 +1,7 @@
 #include "gpu/validation.h"
 
+#include <fmt/format.h>
+
 #include <cstring>
 #include <mutex>
 
@@ -12,6 +14,7 @@ namespace lampyris::gpu {
 struct ValidationLog::State {
     std::mutex mutex;
     std::vector<std::string> messages;
+    std::string label;  ///< of the commands being recorded
 };
 
 namespace {
@@ -56,7 +59,8 @@ VkDebugUtilsMessengerCreateInfoEXT ValidationLog::messengerInfo() {
         auto& state = *static_cast<State*>(user);
         const std::scoped_lock lock{state.mutex};
         state.messages.emplace_back(data->pMessage);
-        core::logWarning("validation: {}", data->pMessage);
+        if (!state.label.empty()) state.messages.back() += fmt::format(" (in {})", state.label);
+        core::logWarning("validation: {}", state.messages.back());
         return VK_FALSE;
     };
     info.pUserData = state_.get();
@@ -76,6 +80,11 @@ core::Result<void> ValidationLog::watch(VkInstance instance) {
 std::vector<std::string> ValidationLog::messages() const {
     const std::scoped_lock lock{state_->mutex};
     return state_->messages;
+}
+
+void ValidationLog::setLabel(const std::string& label) {
+    const std::scoped_lock lock{state_->mutex};
+    state_->label = label;
 }
 
 void ValidationLog::clear() {

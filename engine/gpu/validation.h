@@ -29,6 +29,9 @@ class ValidationLog {
     core::Result<void> watch(VkInstance instance);
 
     [[nodiscard]] std::vector<std::string> messages() const;
+    /// Goes with every message from now on; empty: none. The layer's messages come while a command
+    /// is recorded, and do not say in which node.
+    void setLabel(const std::string& label);
     void clear();
 
  private:

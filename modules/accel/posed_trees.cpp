@@ -24,6 +24,15 @@ uint64_t roomFor(uint64_t nodes) {
     return nodes + nodes / 8;
 }
 
+/// Up to here, what is seen for the first time goes up with its frame; more, as where a scene is
+/// loaded, waits for the device once and needs no host memory of its own. [chosen]
+constexpr uint64_t kMostStaged = uint64_t{4} << 20;
+
+uint64_t bytesToSend(const PosedBlas& built) {
+    return bytesOf(built.slots.texels).size() + bytesOf(built.blas.tree.nodes).size() +
+           bytesOf(built.blas.triangles).size();
+}
+
 /// A measure of how large it looks: extent over distance, or extent where there is no eye.
 double sizeSeen(const scene::SnapshotInstance& instance, const glm::vec3* eyeWorld) {
     const double extent = glm::length(instance.boundsWorld.extent());
@@ -130,27 +139,29 @@ void PosedTrees::settle(Posed& tree, PosedBlas& built) {
 }
 
 core::Result<void> PosedTrees::send(std::vector<Arrival>& arrivals) {
-    const auto isFirst = [](const Arrival& arrival) { return arrival.first; };
+    uint64_t firstBytes = 0;
+    for (const Arrival& arrival : arrivals)
+        if (arrival.first) firstBytes += bytesToSend(arrival.built);
     std::optional<residency::Loading> loading;
-    if (std::any_of(arrivals.begin(), arrivals.end(), isFirst)) {
+    if (firstBytes > kMostStaged) {
         TRY(residency::Loading begun, residency::Loading::begin(store_->device()));
         loading.emplace(std::move(begun));
     }
-    const auto write = [&](const Arrival& arrival, residency::ResidentBuffer& target,
-                           uint64_t offset, std::span<const std::byte> bytes) {
-        return arrival.first ? loading->write(target, offset, bytes) : target.stage(offset, bytes);
-    };
     for (Arrival& arrival : arrivals) {
         Posed& tree = trees_.at(arrival.entity);
         Blas& blas = arrival.built.blas;
+        const auto write = [&](residency::ResidentBuffer& target, uint64_t offset,
+                               std::span<const std::byte> bytes) {
+            return arrival.first && loading ? loading->write(target, offset, bytes)
+                                            : target.stage(offset, bytes);
+        };
         if (!onCpu_)
-            TRY_VOID(write(arrival, store_->slots, tree.range.firstSlot * sizeof(uint32_t),
+            TRY_VOID(write(store_->slots, tree.range.firstSlot * sizeof(uint32_t),
                            bytesOf(arrival.built.slots.texels)));
         if (arrival.first || !onCpu_) {
-            TRY_VOID(write(arrival, store_->nodes, tree.range.firstNode * sizeof(Node),
+            TRY_VOID(write(store_->nodes, tree.range.firstNode * sizeof(Node),
                            bytesOf(blas.tree.nodes)));
-            TRY_VOID(write(arrival, store_->triangles,
-                           tree.range.firstTriangle * sizeof(LeafTriangle),
+            TRY_VOID(write(store_->triangles, tree.range.firstTriangle * sizeof(LeafTriangle),
                            bytesOf(blas.triangles)));
         }
         if (onCpu_) {

@@ -115,7 +115,10 @@ TEST_P(PosedTest, TouchesOneTreeOfManyAndNoneForRigidMotion) {
         return refits;
     };
     const auto first = nodesOf();
-    EXPECT_EQ(first.size(), 1u) << "the TLAS alone";
+    ASSERT_EQ(first.size(), 2u) << "no refit of what was just built";
+    EXPECT_EQ(first[0].name, "tlas_upload");
+    EXPECT_EQ(first[1].name, "upload bvh triangles");
+    EXPECT_EQ(first[1].copies.size(), 100u);
 
     scene.moveInstance(7, anyTransform(200));
     need(onGpu->update(scene.snapshot));

@@ -1,5 +1,6 @@
 // That the layer is silent elsewhere means something only if it speaks here.
 #include <algorithm>
+#include <string>
 
 #include "gpu/execute/execute_test.h"
 
@@ -23,16 +24,18 @@ class HazardTest : public test::ExecuteTest {
             }
         need(executor().run(frame, graph, {.timed = false}));
     }
-    void expectHazard(const graph::Frame& frame) {
+    void expectHazard(const graph::Frame& frame, const std::string& node) {
         run(frame, true);
         EXPECT_TRUE(device().validationMessages().empty());
         run(frame, false);
         const auto messages = takeMessages();
         EXPECT_TRUE(std::any_of(messages.begin(), messages.end(),
-                                [](const std::string& message) {
-                                    return message.find("SYNC-HAZARD") != std::string::npos;
+                                [&](const std::string& message) {
+                                    return message.find("SYNC-HAZARD") != std::string::npos &&
+                                           message.find("(in " + node + ")") != std::string::npos;
                                 }))
-            << messages.size() << " messages, none about a hazard";
+            << messages.size() << " messages, none about a hazard in " << node << ": "
+            << (messages.empty() ? "" : messages.front());
     }
 };
 
@@ -41,7 +44,7 @@ TEST_F(HazardTest, ReadAfterWriteFromDispatchToDispatch) {
     graph::Frame frame;
     const auto first = addDouble(frame, "first", import(frame, source), 64);
     frame.output(addDouble(frame, "second", first, 64));
-    expectHazard(frame);
+    expectHazard(frame, "second");
 }
 
 TEST_F(HazardTest, DispatchAfterFill) {
@@ -49,7 +52,7 @@ TEST_F(HazardTest, DispatchAfterFill) {
     auto fill = frame.transfer("fill");
     const auto filled = fill.fill(frame.buffer("filled", {256}), 1);
     frame.output(addDouble(frame, "double", filled, 64));
-    expectHazard(frame);
+    expectHazard(frame, "double");
 }
 
 TEST_F(HazardTest, CopyAfterDispatch) {
@@ -58,7 +61,7 @@ TEST_F(HazardTest, CopyAfterDispatch) {
     const auto first = addDouble(frame, "first", import(frame, source), 64);
     auto copy = frame.transfer("copy");
     frame.output(copy.copy(first, 0, frame.buffer("copied", {256}), 0, 256));
-    expectHazard(frame);
+    expectHazard(frame, "copy");
 }
 
 }  // namespace
