@@ -93,6 +93,19 @@ TEST_P(PosedTest, FindsWhatDeformedInTheVeryFrame) {
     EXPECT_EQ(accel->counts().blas, 2u);
 }
 
+TEST_P(PosedTest, LoadsWhatIsTooLargeToGoUpWithItsFrame) {
+    PosedBuilder scene;
+    scene.addInstance(scene.addMesh(morphingSoup(100'000, 4)), scene.addMaterial(mattMaterial()));
+    scene.pose(0, 0.1f, 0.0f);
+    expectHits(scene, randomRays(300, 2.0f, 2), 50);
+
+    accel.emplace(*onGpu, accel::AccelSettings{GetParam(), {}});
+    need(accel->update(scene.snapshot));
+    graph::Frame frame;
+    static_cast<void>(accel->import(frame, onGpu->import(frame)));
+    for (const auto& node : frame.nodes()) EXPECT_NE(node.name, "upload bvh triangles");
+}
+
 TEST_P(PosedTest, TouchesOneTreeOfManyAndNoneForRigidMotion) {
     PosedBuilder scene;
     const uint32_t material = scene.addMaterial(mattMaterial());
