@@ -54,9 +54,10 @@ void Dropped::add(const shared::FrameCounters& counters) {
     cells += counters.cellsDropped;
 }
 
-core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options, bool presentable) {
+core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options,
+                                                         const Liveness& live) {
     auto loop = std::make_unique<FrameLoop>();
-    TRY(loop->device_, gpu::Device::create({options.device, options.validation, presentable}));
+    TRY(loop->device_, gpu::Device::create({options.device, options.validation, live.presentable}));
     loop->request.size = sizeOf(options);
     loop->request.settings = settingsOf(options);
     loop->outputNode_ = options.outputNode;
@@ -69,7 +70,8 @@ core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options,
     TRY(execute::Executor executor, execute::Executor::create(*loop->device_));
     loop->executor_.emplace(std::move(executor));
     TRY(loop->world_, openWorld(options));
-    loop->renderer_.emplace(*loop->executor_);
+    loop->renderer_.emplace(*loop->executor_,
+                            accel::AccelSettings{.rebuild = {.deterministic = live.repeatable}});
     TRY_VOID(loop->follow());
     TRY(loop->request.camera, chooseCamera(loop->snapshot(), options.camera));
     return loop;

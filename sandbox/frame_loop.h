@@ -35,13 +35,19 @@ struct LoopFrame {
     Dropped dropped;                  ///< in those
 };
 
+/// What sets a window's frames apart from a file's.
+struct Liveness {
+    bool presentable = false;  ///< the device can show images
+    bool repeatable = true;    ///< equal runs give equal frames, though one may wait for a BVH
+};
+
 class FrameLoop {
  public:
     using AddNodes = std::function<void(graph::Frame&, const photon_gi::DrawnFrame&)>;
 
     /// Errors name the device, scene or camera that is missing.
     static core::Result<std::unique_ptr<FrameLoop>> open(const Options& options,
-                                                         bool presentable = false);
+                                                         const Liveness& live = {});
 
     /// Draws one frame at its time (--time and --timestep), and again where a buffer was too small,
     /// until it is whole. An image is read back where `readBack` is true: the one that

@@ -28,6 +28,11 @@ core::Result<void> checkView(const ViewOptions& options) {
     return {};
 }
 
+/// A record replayed must give the same bytes.
+bool isRepeatable(const ViewOptions& options) {
+    return !options.record.empty() || !options.replay.empty();
+}
+
 core::Result<void> viewScene(const ViewOptions& options) {
     TRY_VOID(checkFiles(options));
     view::ViewState state;
@@ -36,7 +41,8 @@ core::Result<void> viewScene(const ViewOptions& options) {
     TRY(ShaderWatch shaders, ShaderWatch::create(options.shaders));
     TRY(window::Window window,
         window::Window::create({"lampyris: " + options.scene, size.width, size.height}));
-    TRY(const std::unique_ptr<FrameLoop> loop, FrameLoop::open(options, true));
+    TRY(const std::unique_ptr<FrameLoop> loop,
+        FrameLoop::open(options, {.presentable = true, .repeatable = isRepeatable(options)}));
     TRY(window::Presenter presenter,
         window::Presenter::create(loop->device(), window, window::Encoding::Display));
     return view::Viewer(options, window, *loop, presenter, shaders).run();

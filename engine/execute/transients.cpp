@@ -11,15 +11,20 @@ bool Transients::wouldChange(const graph::CompiledGraph& graph) const {
 
 core::Result<void> Transients::follow(const graph::Frame& frame,
                                       const graph::CompiledGraph& graph) {
-    if (!wouldChange(graph)) return {};
-    layoutHash_.reset();
-    buffers_.clear();
-    images_.clear();
-    heaps_.clear();
-    TRY_VOID(makeHeaps(graph));
-    for (uint32_t i = 0; i < graph.resources.size(); ++i)
-        if (graph.resources[i].heap != graph::kNoHeap)
-            TRY_VOID(makeResource(frame.resources()[i], graph.resources[i], i));
+    const bool anew = wouldChange(graph);
+    if (anew) {
+        layoutHash_.reset();
+        physical_.clear();
+        heaps_.clear();
+        TRY_VOID(makeHeaps(graph));
+    }
+    places_.assign(graph.resources.size(), kNone);
+    size_t place = 0;
+    for (size_t i = 0; i < graph.resources.size(); ++i) {
+        if (graph.resources[i].heap == graph::kNoHeap) continue;
+        if (anew) TRY_VOID(makeResource(frame.resources()[i], graph.resources[i]));
+        places_[i] = place++;
+    }
     layoutHash_ = graph.layoutHash;
     return {};
 }
@@ -37,32 +42,33 @@ core::Result<void> Transients::makeHeaps(const graph::CompiledGraph& graph) {
 }
 
 core::Result<void> Transients::makeResource(const graph::ResourceInfo& info,
-                                            const graph::CompiledResource& compiled,
-                                            uint32_t resource) {
+                                            const graph::CompiledResource& compiled) {
     const gpu::Allocation& heap = heaps_[compiled.heap];
+    Physical made;
     if (info.isImage) {
-        TRY(gpu::Image image,
+        TRY(made.image,
             gpu::Image::createUnbound(
                 *device_, imageOptionsOf(info.image, imageUsageOf(compiled.accesses), info.name)));
-        TRY_VOID(image.bind(heap, compiled.offset));
-        images_.emplace(resource, std::move(image));
-        return {};
+        TRY_VOID(made.image.bind(heap, compiled.offset));
+    } else {
+        TRY(made.buffer,
+            gpu::Buffer::createUnbound(*device_, {.bytes = info.buffer.bytes, .name = info.name}));
+        TRY_VOID(made.buffer.bind(heap, compiled.offset));
     }
-    TRY(gpu::Buffer buffer,
-        gpu::Buffer::createUnbound(*device_, {.bytes = info.buffer.bytes, .name = info.name}));
-    TRY_VOID(buffer.bind(heap, compiled.offset));
-    buffers_.emplace(resource, std::move(buffer));
+    physical_.push_back(std::move(made));
     return {};
 }
 
-const gpu::Buffer* Transients::buffer(uint32_t resource) const {
-    const auto found = buffers_.find(resource);
-    return found == buffers_.end() ? nullptr : &found->second;
+const gpu::Buffer* Transients::buffer(size_t resource) const {
+    const size_t place = places_[resource];
+    if (place == kNone || physical_[place].buffer.get() == VK_NULL_HANDLE) return nullptr;
+    return &physical_[place].buffer;
 }
 
-const gpu::Image* Transients::image(uint32_t resource) const {
-    const auto found = images_.find(resource);
-    return found == images_.end() ? nullptr : &found->second;
+const gpu::Image* Transients::image(size_t resource) const {
+    const size_t place = places_[resource];
+    if (place == kNone || physical_[place].image.get() == VK_NULL_HANDLE) return nullptr;
+    return &physical_[place].image;
 }
 
 }  // namespace lampyris::execute

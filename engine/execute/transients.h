@@ -1,7 +1,6 @@
 /// \file The physical images and buffers behind a graph's transients, sharing memory as compiled.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -22,18 +21,25 @@ class Transients {
     core::Result<void> follow(const graph::Frame& frame, const graph::CompiledGraph& graph);
 
     /// Null for what is no touched transient.
-    [[nodiscard]] const gpu::Buffer* buffer(uint32_t resource) const;
-    [[nodiscard]] const gpu::Image* image(uint32_t resource) const;
+    [[nodiscard]] const gpu::Buffer* buffer(size_t resource) const;
+    [[nodiscard]] const gpu::Image* image(size_t resource) const;
 
  private:
+    /// One of the two.
+    struct Physical {
+        gpu::Buffer buffer;
+        gpu::Image image;
+    };
+    static constexpr size_t kNone = ~size_t{0};
+
     core::Result<void> makeHeaps(const graph::CompiledGraph& graph);
     core::Result<void> makeResource(const graph::ResourceInfo& info,
-                                    const graph::CompiledResource& compiled, uint32_t resource);
+                                    const graph::CompiledResource& compiled);
     gpu::Device* device_;
     std::optional<uint64_t> layoutHash_;
     std::vector<gpu::Allocation> heaps_;  // before what lies in them, so that they go last
-    std::map<uint32_t, gpu::Buffer> buffers_;
-    std::map<uint32_t, gpu::Image> images_;
+    std::vector<Physical> physical_;
+    std::vector<size_t> places_;  ///< in `physical_`, by resource of the frame that was followed
 };
 
 }  // namespace lampyris::execute

@@ -27,7 +27,7 @@ core::Result<PipelineLayout> createPipelineLayout(const Device& device, VkDescri
                                                   const std::string& name);
 
 /// Gives out sets; all go back at once with reset(). Sets have no names: they live for a frame, and
-/// drivers keep a name past vkResetDescriptorPool. The label of their node says whose they are.
+/// lavapipe keeps a name past vkResetDescriptorPool. The label of their node says whose they are.
 class DescriptorPool {
  public:
     explicit DescriptorPool(Device& device) : device_(&device) {}

@@ -31,11 +31,10 @@ uint64_t layoutHash(const Frame& frame, const CompiledGraph& graph) {
         hash.add(heap.alignment);
         hash.add(heap.memoryKind);
     }
-    for (uint32_t resource = 0; resource < graph.resources.size(); ++resource) {
+    for (size_t resource = 0; resource < graph.resources.size(); ++resource) {
         const CompiledResource& compiled = graph.resources[resource];
         if (compiled.heap == kNoHeap) continue;
         const ResourceInfo& info = frame.resources()[resource];
-        hash.add(resource);
         hash.add(info.name);
         hash.add(info.isImage ? 1u : 0u);
         hash.add(static_cast<uint64_t>(info.image.format));

@@ -8,7 +8,8 @@
 
 namespace lampyris::graph {
 
-/// Of heaps, and of every placed resource: its index, name, description, accesses, and place.
+/// Of heaps, and of every placed resource in turn: its name, description, accesses, and place. Not
+/// of its index: a frame that imports one buffer more keeps its transients.
 [[nodiscard]] uint64_t layoutHash(const Frame& frame, const CompiledGraph& graph);
 
 }  // namespace lampyris::graph

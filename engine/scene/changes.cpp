@@ -63,16 +63,16 @@ float scaleOf(const glm::mat4& matrix) {
                      glm::length(glm::vec3(matrix[2]))});
 }
 
-float instanceMoved(const SceneSnapshot& snapshot, const SnapshotInstance& before,
-                    const SnapshotInstance& after) {
+float instanceMoved(const SceneSnapshot& old, const SnapshotInstance& before,
+                    const SceneSnapshot& now, const SnapshotInstance& after) {
     const bool another = before.mesh != after.mesh || before.material != after.material ||
+                         old.meshes[before.mesh].version != now.meshes[after.mesh].version ||
                          (before.pose == nullptr) != (after.pose == nullptr);
-    const math::Bounds& box = snapshot.meshes[after.mesh].value->bounds;
+    const math::Bounds& box = now.meshes[after.mesh].value->bounds;
     if (another || box.empty()) return sizeOf(after.boundsWorld);
     float moved = placeMoved(box, before.objectToWorld, after.objectToWorld);
     if (before.poseVersion != after.poseVersion && before.pose != nullptr)
         moved += poseMoved(box, *before.pose, *after.pose) * scaleOf(after.objectToWorld);
-    // The mesh itself was replaced.
     return moved > 0.0f ? moved : sizeOf(after.boundsWorld);
 }
 
@@ -88,7 +88,7 @@ void addRegions(const SceneSnapshot& before, const SceneSnapshot& after, SceneCh
             math::Bounds bounds = old.boundsWorld;
             bounds.grow(now.boundsWorld);
             if (bounds.empty()) return;
-            const float moved = std::min(instanceMoved(after, old, now), sizeOf(bounds));
+            const float moved = std::min(instanceMoved(before, old, after, now), sizeOf(bounds));
             changes.regions.push_back({bounds, moved});
         },
         whole, whole);

@@ -175,14 +175,14 @@ AccelHandles AccelOnGpu::import(graph::Frame& frame, const residency::SceneHandl
     AccelHandles handles = p.handles;
     handles.nodes = p.store.nodes.import(frame, "tlas_upload");
     handles.triangles = p.store.triangles.import(frame, "upload bvh triangles");
+    const graph::Buffer slots = p.store.slots.import(frame, "upload bvh refit slots");
     const auto jobs = p.posed.takeJobs();
     if (jobs.empty()) return handles;
-    const Refitted refitted = addRefit(
-        frame,
-        {handles.nodes, handles.triangles, p.store.slots.import(frame, "upload bvh refit slots"),
-         scene.positions, scene.indices,
-         p.store.largestBytes() > p.scene->device().limits().core.maxStorageBufferRange},
-        jobs);
+    const Refitted refitted =
+        addRefit(frame,
+                 {handles.nodes, handles.triangles, slots, scene.positions, scene.indices,
+                  p.store.largestBytes() > p.scene->device().limits().core.maxStorageBufferRange},
+                 jobs);
     handles.nodes = refitted.nodes;
     handles.triangles = refitted.triangles;
     handles.quality = refitted.quality;

@@ -53,7 +53,8 @@ class AccelOnGpu {
     core::Result<void> update(const scene::SceneSnapshot& snapshot,
                               const glm::vec3* eyeWorld = nullptr);
 
-    /// Declares the BVH in a frame, with nodes `tlas_upload` and `refit…` where it changed.
+    /// Declares the BVH in a frame, with nodes `tlas_upload`, `upload bvh …` (new trees) and
+    /// `refit…` where it changed.
     [[nodiscard]] AccelHandles import(graph::Frame& frame, const residency::SceneHandles& scene);
     /// What AccelHandles::quality of the last import held.
     void learn(std::span<const std::byte> quality);

@@ -25,7 +25,7 @@ uint64_t roomFor(uint64_t nodes) {
 }
 
 /// Up to here, what is seen for the first time goes up with its frame; more, as where a scene is
-/// loaded, waits for the device once and needs no host memory of its own. [chosen]
+/// loaded, waits for the device once and keeps no host memory. [chosen]
 constexpr uint64_t kMostStaged = uint64_t{4} << 20;
 
 uint64_t bytesToSend(const PosedBlas& built) {
@@ -85,6 +85,7 @@ void PosedTrees::forget(const scene::SceneSnapshot& snapshot, const Instances& i
             snapshot.meshes[found->second->mesh].version == tree.meshVersion)
             return false;
         store_->give(tree.range);
+        tree.forgotten.request_stop();
         if (tree.rebuild) --inFlight_;
         return true;
     });
@@ -114,6 +115,7 @@ core::Result<void> PosedTrees::collectArrivals(const scene::SceneSnapshot& snaps
         Posed& tree = trees_[entity];
         tree.mesh = mesh.value;
         tree.meshVersion = mesh.version;
+        tree.extents = scene::poseExtents(*mesh.value);
         tree.poseVersion = instance->poseVersion;
         settle(tree, built);
         arrivals.push_back({entity, std::move(built), true});
@@ -178,7 +180,7 @@ core::Result<void> PosedTrees::refit(Posed& tree, const scene::SnapshotInstance&
     tree.poseVersion = instance.poseVersion;
     if (tree.nodes == 0) return {};
     ++counts_.refits;
-    tree.place.bounds = treeBounds(*tree.mesh, *instance.pose);
+    tree.place.bounds = treeBounds(tree.extents, *instance.pose);
     tree.place.grid = gridAround(tree.place.bounds);
     if (onCpu_) return refitNow(tree, *instance.pose);
     tree.refitOnDevice = true;
@@ -259,9 +261,11 @@ void PosedTrees::askForRebuilds(const Instances& instances, const glm::vec3* eye
                      [](const auto& a, const auto& b) { return a.urgency > b.urgency; });
     for (const Candidate& candidate : candidates) {
         Posed& tree = trees_.at(candidate.entity);
-        if (inFlight > 0 && inFlight + tree.range.triangles > policy_.trianglesInFlight) continue;
+        // Nobody smaller goes first: what is large would wait for ever.
+        if (inFlight > 0 && inFlight + tree.range.triangles > policy_.trianglesInFlight) break;
         inFlight += tree.range.triangles;
-        tree.rebuild = worker_.ask(tree.mesh, instances.at(candidate.entity)->pose);
+        tree.rebuild = worker_.ask(tree.mesh, instances.at(candidate.entity)->pose,
+                                   tree.forgotten.get_token());
         tree.askedAt = frame_;
         ++inFlight_;
     }

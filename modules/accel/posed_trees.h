@@ -2,8 +2,10 @@
 /// pose changes, rebuilt in the background where refits made it bad.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <stop_token>
 
 #include "accel/accel_settings.h"
 #include "accel/rebuild_worker.h"
@@ -54,6 +56,7 @@ class PosedTrees {
     struct Posed {
         std::shared_ptr<const assets::Mesh> mesh;
         uint64_t meshVersion = 0;
+        scene::PoseExtents extents;
         uint64_t poseVersion = 0;  ///< that the boxes are for
         TreeRange range;
         BlasPlace place;
@@ -66,8 +69,13 @@ class PosedTrees {
         bool refitOnDevice = false;
         uint32_t firstVertex = 0, firstIndex = 0;
         std::optional<Future> rebuild;
+        std::stop_source forgotten;
         uint64_t askedAt = 0;
-        [[nodiscard]] double ratio() const { return builtCost > 0.0 ? cost / builtCost : 1.0; }
+        /// A tree over nothing costs 0, any other at least 1: one that was built from a mesh
+        /// without area is bad as soon as it has some.
+        [[nodiscard]] double ratio() const {
+            return std::max(cost, 1.0) / std::max(builtCost, 1.0);
+        }
     };
     /// A job whose quality is to be learnt.
     struct Asked {

@@ -20,7 +20,7 @@ using Task = std::packaged_task<core::Result<PosedBlas>(TreeBuilder&)>;
 
 }  // namespace
 
-math::Bounds treeBounds(const assets::Mesh& mesh, const scene::Pose& pose) {
+math::Bounds treeBounds(const scene::PoseExtents& mesh, const scene::Pose& pose) {
     math::Bounds bounds = scene::posedBounds(mesh, pose);
     if (bounds.empty()) return bounds;
     const glm::vec3 extent = bounds.extent();
@@ -37,7 +37,8 @@ core::Result<PosedBlas> buildPosed(TreeBuilder& builder, const assets::Mesh& mes
     const auto start = Clock::now();
     const auto positions = scene::posedVertices(mesh, pose).positions;
     PosedBlas built;
-    TRY(built.blas, buildPosedBlas(builder, {positions, mesh.indices}, treeBounds(mesh, pose)));
+    TRY(built.blas, buildPosedBlas(builder, {positions, mesh.indices},
+                                   treeBounds(scene::poseExtents(mesh), pose)));
     built.slots = listSlots(built.blas.tree);
     built.cost = costOf(built.blas.tree);
     built.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -72,9 +73,12 @@ RebuildWorker::RebuildWorker(RebuildWorker&&) noexcept = default;
 RebuildWorker& RebuildWorker::operator=(RebuildWorker&&) noexcept = default;
 
 std::future<core::Result<PosedBlas>> RebuildWorker::ask(std::shared_ptr<const assets::Mesh> mesh,
-                                                        std::shared_ptr<const scene::Pose> pose) {
+                                                        std::shared_ptr<const scene::Pose> pose,
+                                                        std::stop_token forgotten) {
     Parts& p = *parts_;
-    Task task([mesh = std::move(mesh), pose = std::move(pose)](TreeBuilder& builder) {
+    Task task([mesh = std::move(mesh), pose = std::move(pose),
+               forgotten = std::move(forgotten)](TreeBuilder& builder) -> core::Result<PosedBlas> {
+        if (forgotten.stop_requested()) return core::error("nobody waits for this tree");
         return buildPosed(builder, *mesh, *pose);
     });
     auto result = task.get_future();

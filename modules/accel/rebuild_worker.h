@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <future>
 #include <memory>
+#include <stop_token>
 
 #include "accel/blas.h"
 #include "accel/refit_slots.h"
@@ -21,7 +22,7 @@ struct PosedBlas {
 
 /// The box that a posed mesh's tree is laid over: posedBounds() and a little more, as a device
 /// rounds otherwise.
-[[nodiscard]] math::Bounds treeBounds(const assets::Mesh& mesh, const scene::Pose& pose);
+[[nodiscard]] math::Bounds treeBounds(const scene::PoseExtents& mesh, const scene::Pose& pose);
 
 /// Of Embree's MEDIUM quality, from the mesh as posed.
 core::Result<PosedBlas> buildPosed(TreeBuilder& builder, const assets::Mesh& mesh,
@@ -35,8 +36,11 @@ class RebuildWorker {
     RebuildWorker(RebuildWorker&&) noexcept;
     RebuildWorker& operator=(RebuildWorker&&) noexcept;
 
+    /// \param forgotten  once stopped, nobody wants the tree: a build that has not begun becomes an
+    /// Error
     [[nodiscard]] std::future<core::Result<PosedBlas>> ask(std::shared_ptr<const assets::Mesh> mesh,
-                                                           std::shared_ptr<const scene::Pose> pose);
+                                                           std::shared_ptr<const scene::Pose> pose,
+                                                           std::stop_token forgotten);
 
  private:
     struct Parts;

@@ -56,8 +56,11 @@ std::vector<float> readReport(const DrawnFrame& drawn,
 
 }  // namespace
 
-Renderer::Renderer(execute::Executor& executor)
-    : executor_(&executor), scene_(executor.device()), accel_(scene_), keeper_(executor.device()) {}
+Renderer::Renderer(execute::Executor& executor, const accel::AccelSettings& accel)
+    : executor_(&executor),
+      scene_(executor.device()),
+      accel_(scene_, accel),
+      keeper_(executor.device()) {}
 
 core::Result<void> Renderer::update(const scene::SceneSnapshot& snapshot) {
     TRY_VOID(scene_.update(snapshot));

@@ -39,7 +39,9 @@ struct FrameReport {
 /// exceeded.
 class Renderer {
  public:
-    explicit Renderer(execute::Executor& executor);
+    /// \param accel  a live program sets `rebuild.deterministic` to false: no frame then waits for
+    /// a BVH that is being rebuilt
+    explicit Renderer(execute::Executor& executor, const accel::AccelSettings& accel = {});
 
     /// Follows the snapshot: uploads what changed, builds what is new.
     core::Result<void> update(const scene::SceneSnapshot& snapshot);

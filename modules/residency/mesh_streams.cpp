@@ -10,15 +10,15 @@ namespace {
 struct StreamKind {
     const char* name;
     uint32_t elementBytes;
-    uint32_t texelBytes;  ///< where shaders fetch texels from it
+    uint32_t texelBytes;  ///< of the views that shaders fetch from
     glm::vec4 neutral;
 };
 
 constexpr std::array<StreamKind, MeshStreams::Count> kKinds = {{
     {"mesh indices", 4, 4, glm::vec4(0.0f)},
     {"mesh positions", sizeof(DevicePosition), sizeof(DevicePosition), glm::vec4(0.0f)},
-    {"mesh normals", 12, 0, glm::vec4(0.0f, 0.0f, 1.0f, 0.0f)},
-    {"mesh tangents", 16, 0, glm::vec4(1.0f, 0.0f, 0.0f, 1.0f)},
+    {"mesh normals", 12, 4, glm::vec4(0.0f, 0.0f, 1.0f, 0.0f)},
+    {"mesh tangents", 16, 16, glm::vec4(1.0f, 0.0f, 0.0f, 1.0f)},
     {"mesh texcoords", 16, 16, glm::vec4(0.0f)},
     {"mesh colours", 16, 16, glm::vec4(1.0f)},
 }};

@@ -33,10 +33,12 @@ ResidentBuffer::ResidentBuffer(Device& device, std::string name, uint32_t texelB
       name_(std::move(name)),
       mostBytes_(device.limits().maxBufferSize),
       limit_("maxBufferSize") {
-    const uint64_t texels = device.limits().core.maxTexelBufferElements;
-    if (texelBytes == 0 || texels * texelBytes > mostBytes_) return;
-    mostBytes_ = texels * texelBytes;
-    limit_ = "maxTexelBufferElements";
+    const VkPhysicalDeviceLimits& limits = device.limits().core;
+    const uint64_t seen = texelBytes == 0 ? limits.maxStorageBufferRange
+                                          : uint64_t{limits.maxTexelBufferElements} * texelBytes;
+    if (seen > mostBytes_) return;
+    mostBytes_ = seen;
+    limit_ = texelBytes == 0 ? "maxStorageBufferRange" : "maxTexelBufferElements";
 }
 
 core::Result<void> ResidentBuffer::reserve(uint64_t bytes) {
@@ -85,6 +87,16 @@ core::Result<void> ResidentBuffer::stage(uint64_t offset, std::span<const std::b
     return {};
 }
 
+core::Result<void> ResidentBuffer::sendStaged(gpu::Staging& staging) {
+    if (pieces_.empty()) return {};
+    const auto host = turns_[turn_].mapped();
+    for (const Piece& piece : pieces_)
+        TRY_VOID(staging.write(buffer_, piece.target, host.subspan(piece.source, piece.bytes)));
+    pieces_.clear();
+    staged_ = 0;
+    return staging.flush();
+}
+
 graph::Buffer ResidentBuffer::import(graph::Frame& frame, const std::string& node) {
     CHECK(buffer_.get() != VK_NULL_HANDLE);
     graph::Buffer target =
@@ -108,10 +120,11 @@ core::Result<Loading> Loading::begin(Device& device) {
     return Loading(std::move(staging));
 }
 
-core::Result<void> Loading::write(const ResidentBuffer& target, uint64_t offset,
+core::Result<void> Loading::write(ResidentBuffer& target, uint64_t offset,
                                   std::span<const std::byte> bytes) {
     if (bytes.empty()) return {};
     CHECK((offset + bytes.size()) <= target.bytes());
+    TRY_VOID(target.sendStaged(staging_));
     return staging_.write(target.buffer_, offset, bytes);
 }
 

@@ -20,8 +20,9 @@ using Device = gpu::Device;
 
 class ResidentBuffer {
  public:
-    /// \param texelBytes of the texel view that shaders use, or 0: reserve() then keeps within the
-    /// device's maxTexelBufferElements. \param device must outlive this.
+    /// reserve() keeps within what a shader can see at once. \param texelBytes of the texel view
+    /// that shaders use: maxTexelBufferElements of them; 0: they bind it as a storage buffer, of
+    /// maxStorageBufferRange. \param device must outlive this.
     ResidentBuffer(Device& device, std::string name, uint32_t texelBytes = 0);
 
     /// Makes room. Waits for the device and copies where the buffer has to grow. Errors name the
@@ -50,6 +51,8 @@ class ResidentBuffer {
         uint64_t bytes;
     };
     core::Result<void> roomInTurn(uint64_t bytes);
+    /// Sends what was staged, and waits until it has arrived.
+    core::Result<void> sendStaged(gpu::Staging& staging);
 
     Device* device_;
     std::string name_;
@@ -67,7 +70,8 @@ class Loading {
  public:
     /// Waits until no frame reads what may be overwritten.
     static core::Result<Loading> begin(Device& device);
-    core::Result<void> write(const ResidentBuffer& target, uint64_t offset,
+    /// What was staged in the target before goes first.
+    core::Result<void> write(ResidentBuffer& target, uint64_t offset,
                              std::span<const std::byte> bytes);
     /// Waits until all has arrived.
     core::Result<void> finish() { return staging_.flush(); }

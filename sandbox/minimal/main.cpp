@@ -36,7 +36,7 @@ core::Result<void> play(const std::string& picture, uint64_t frames) {
         TRY(window, window::Window::create({.title = "minimal"}));
         TRY(presenter, window::Presenter::create(*device, *window, window::Encoding::Linear));
     }
-    photon_gi::Renderer renderer(executor);
+    photon_gi::Renderer renderer(executor, {.rebuild = {.deterministic = !window}});
     ecs::World world = makeWorld();
     scene::LiveSnapshot live;
     for (uint64_t number = 0; window ? !window->shouldClose() : number < frames; ++number) {

@@ -91,6 +91,20 @@ TEST_F(TransientTest, FramesOfAnotherShapeFollowEachOther) {
     }
 }
 
+TEST_F(TransientTest, AreFoundWhereAFrameImportsMore) {
+    const auto source = makeBuffer(std::vector<uint32_t>(64, 3));
+    const auto more = makeBuffer(std::vector<uint32_t>(64, 5));
+    for (const bool both : {false, true, false}) {
+        graph::Frame frame;
+        if (both) import(frame, more);
+        const auto first = addDouble(frame, "first", import(frame, source), 64);
+        const auto out = addDouble(frame, "second", first, 64);
+        frame.output(out);
+        const auto got = run(frame, {.readBackBuffers = {out}});
+        EXPECT_EQ(test::valuesOf<uint32_t>(got.buffers[0]), std::vector<uint32_t>(64, 12));
+    }
+}
+
 TEST_F(TransientTest, OnlyWhatIsKeptCanBeReadBack) {
     const auto source = makeBuffer(std::vector<uint32_t>(64, 3));
     graph::Frame frame;

@@ -6,10 +6,11 @@ namespace lampyris::graph {
 namespace {
 
 /// A frame of two images, one sampled by the other's node.
-uint64_t hashOf(const std::string& name, const ImageDesc& desc, bool sampled,
-                const void* external) {
+uint64_t hashOf(const std::string& name, const ImageDesc& desc, bool sampled, const void* external,
+                bool oneMore = false) {
     Frame frame;
     tests::MatchingShaders shaders;
+    if (oneMore) static_cast<void>(frame.importBuffer("one more", kBytes, {external}));
     const Buffer scene = frame.importBuffer("scene", kBytes, {external});
     const Image first = frame.compute("a", shaders.next()).write(0, frame.image(name, desc));
     auto node = frame.compute("b", shaders.next());
@@ -29,6 +30,7 @@ TEST(LayoutHash, EqualFramesKeepTheirMemory) {
 TEST(LayoutHash, WhatIsImportedDoesNotMatter) {
     const int other = 0;
     EXPECT_EQ(hashOf("x", kColour, true, nullptr), hashOf("x", kColour, true, &other));
+    EXPECT_EQ(hashOf("x", kColour, true, nullptr), hashOf("x", kColour, true, nullptr, true));
 }
 
 TEST(LayoutHash, SizesFormatsAccessesAndNamesDo) {

@@ -67,6 +67,14 @@ TEST_F(Changes, ATurnMovesByItsFarthestCorner) {
     EXPECT_NEAR(changes.regions[0].movedMetres, 2.0f * std::sqrt(2.0f), 1e-5f);
 }
 
+TEST_F(Changes, AMeshReplacedCountsWholeThoughItMovesToo) {
+    world_.edit<Transform>(moving_).translation = {0, 0, 0.001f};
+    world_.resource<Library>().replaceMesh(world_.get<MeshInstance>(moving_).mesh, unitTriangle());
+    const SceneChanges changes = step();
+    ASSERT_EQ(changes.regions.size(), 1u);
+    EXPECT_FLOAT_EQ(changes.regions[0].movedMetres, std::sqrt(2.0f));
+}
+
 TEST_F(Changes, WhatCameOrWentIsItsWholeBox) {
     world_.destroy(moving_);
     const SceneChanges gone = step();
