@@ -136,17 +136,21 @@ std::optional<SnapshotInstance> makeInstance(const ecs::World& world, const Scen
                             .pose = std::move(placed.pose)};
 }
 
+constexpr float kLeastRadius = 1e-6f;  // metres [chosen] a point to any scene
+
 std::optional<SnapshotLight> makeLight(const ecs::World& world, ecs::Entity entity) {
     const auto* light = world.find<SphereLight>(entity);
     const auto* transform = world.find<WorldTransform>(entity);
     if (light == nullptr || transform == nullptr) return std::nullopt;
-    return SnapshotLight{.entity = entity,
-                         .positionWorld = glm::vec3(transform->matrix[3]),
-                         .radiusMetres = light->radiusMetres,
-                         .powerWatts = light->powerWatts,
-                         .directionWorld = -glm::vec3(rigidPart(transform->matrix)[2]),
-                         .cosOuterCone = light->cosOuterCone,
-                         .cosInnerCone = light->cosInnerCone};
+    return SnapshotLight{
+        .entity = entity,
+        .positionWorld = glm::vec3(transform->matrix[3]),
+        // Not less, nor NaN: shaders divide by its square.
+        .radiusMetres = light->radiusMetres > kLeastRadius ? light->radiusMetres : kLeastRadius,
+        .powerWatts = light->powerWatts,
+        .directionWorld = -glm::vec3(rigidPart(transform->matrix)[2]),
+        .cosOuterCone = light->cosOuterCone,
+        .cosInnerCone = light->cosInnerCone};
 }
 
 /// Slots of instances that may have changed: also skinned ones, wherever something moved. Which

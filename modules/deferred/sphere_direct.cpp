@@ -62,12 +62,13 @@ void addListedPixels(graph::Frame& frame, const Surface& surface, const LightLis
 }  // namespace
 
 DirectLight addUnshadowedDirect(graph::Frame& frame, const Surface& surface,
-                                const LightLists& lights, const residency::SceneHandles& scene) {
+                                const LightLists& lights, const residency::SceneHandles& scene,
+                                Keep keep) {
     const graph::Extent size{surface.view.width, surface.view.height};
     auto node = frame.compute("sphere_direct", shaders::sphereDirectUnshadowed);
     bindShading(node, surface, lights, scene);
     node.push(lights.params);
-    const DirectLight direct = writeLight(frame, node, size, Keep::No);
+    const DirectLight direct = writeLight(frame, node, size, keep);
     node.dispatchOver(size);
     return direct;
 }

@@ -16,7 +16,7 @@ struct DirectLight {
 /// Every light that reaches a pixel is seen from there.
 [[nodiscard]] DirectLight addUnshadowedDirect(graph::Frame& frame, const Surface& surface,
                                               const LightLists& lights,
-                                              const residency::SceneHandles& scene);
+                                              const residency::SceneHandles& scene, Keep keep);
 
 /// Between the shadows' texels; pixels for which those do not stand trace rays of their own
 /// (`shadow/edges`).

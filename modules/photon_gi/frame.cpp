@@ -13,7 +13,7 @@ namespace lampyris::photon_gi {
 namespace {
 
 deferred::Keep keepOf(const Settings& s) {
-    return keepsUnchanged(s) && s.shadows ? deferred::Keep::Yes : deferred::Keep::No;
+    return keepsUnchanged(s) ? deferred::Keep::Yes : deferred::Keep::No;
 }
 
 deferred::DirectLight addDirect(graph::Frame& f, const FrameInputs& in, const Settings& s,
@@ -21,7 +21,7 @@ deferred::DirectLight addDirect(graph::Frame& f, const FrameInputs& in, const Se
                                 const deferred::LightLists& lights) {
     if (in.past.still) return deferred::recallDirect(f, {in.view.width, in.view.height});
     if (!s.shadows || s.pipeline == Pipeline::Thesis)
-        return deferred::addUnshadowedDirect(f, surface, lights, in.scene);
+        return deferred::addUnshadowedDirect(f, surface, lights, in.scene, keepOf(s));
     const deferred::ShadowSettings shadow{s.shadowDivisor, s.shadowRays, s.seed};
     const auto shadows = deferred::addShadow(f, surface, lights, in.scene, in.accel, shadow);
     return deferred::addSphereDirect(f, surface, lights, shadows, in.scene, in.accel, keepOf(s));

@@ -21,6 +21,8 @@ namespace {
 constexpr uint32_t kPhotonsPerPathGuess = 4;
 constexpr uint32_t kPairsPerPhotonGuess = 64;
 constexpr uint32_t kLeastPairs = 1u << 16;
+// Batches fit into 0.8 of the largest room; where they need less than half of that, they double.
+constexpr double kRoomForTwice = 0.4;  // [chosen]
 constexpr uint64_t kMostPairsGuessed = 1u << 22;
 
 /// Half as much again, in steps that keep the graph's layout from changing at every frame.
@@ -103,8 +105,9 @@ bool Renderer::seenAsDrawn(const shared::View& view) const {
 }
 
 bool Renderer::settled(const shared::View& view, const FrameRequest& request) const {
-    return request.finalAlone && keepsUnchanged(request.settings) && seenAsDrawn(view) &&
-           drawn_.settings == request.settings && stillFrames_ > historyFrames(request.settings);
+    return request.finalAlone && drawn_.keptFinal && keepsUnchanged(request.settings) &&
+           seenAsDrawn(view) && drawn_.settings == request.settings &&
+           stillFrames_ > historyFrames(request.settings);
 }
 
 Past Renderer::recall(const shared::View& view, const Settings& settings) {
@@ -113,7 +116,8 @@ Past Renderer::recall(const shared::View& view, const Settings& settings) {
         executor_->history().known(kHistoryMean, historyMean(view, settings.gatherDivisor));
     past.still =
         keepsUnchanged(settings) && seenAsDrawn(view) && sameDirectLight(drawn_.settings, settings);
-    past.same = drawn_.whole && meanGoesOn(drawn_.settings, settings);
+    past.same = drawn_.whole && drawn_.size == graph::Extent{view.width, view.height} &&
+                meanGoesOn(drawn_.settings, settings);
     stillFrames_ = past.still && past.same ? stillFrames_ + 1 : 0;
     past.worldToClip = drawn_.worldToClip;
     if (!past.same)
@@ -125,7 +129,7 @@ Past Renderer::recall(const shared::View& view, const Settings& settings) {
     past.lights = snapshot_.lights;
     const bool keeps = finalGathers(settings) && settings.history > 0 && settings.maxBounces > 0 &&
                        plan_.split.paths > 0;
-    drawn_ = {keeps, settings, {view.width, view.height}, view.worldToClip};
+    drawn_ = {keeps, false, settings, {view.width, view.height}, view.worldToClip};
     return past;
 }
 
@@ -161,6 +165,7 @@ core::Result<DrawnFrame> Renderer::declare(graph::Frame& frame, const FrameReque
     in.past = recall(in.view, request.settings);
     in.settles = keepsUnchanged(request.settings) && request.finalAlone &&
                  stillFrames_ > historyFrames(request.settings);
+    drawn_.keptFinal = in.settles;
     const Settings& asked = request.settings;
     shadows_ = asked.shadows && asked.pipeline != Pipeline::Thesis;
     Settings settings = request.settings;
@@ -168,9 +173,13 @@ core::Result<DrawnFrame> Renderer::declare(graph::Frame& frame, const FrameReque
     return drawFrame(frame, in, settings, room_);
 }
 
-void Renderer::shrinkBatches(double share) {
-    const uint32_t batch = std::min(largestBatch_, lastBatch_);
-    largestBatch_ = std::max(1u, static_cast<uint32_t>(batch * std::min(share, 0.9)));
+void Renderer::fitBatches(double share) {
+    if (share > 1.0) {
+        const uint32_t batch = std::min(largestBatch_, lastBatch_);
+        largestBatch_ = std::max(1u, static_cast<uint32_t>(batch * std::min(0.8 / share, 0.9)));
+    } else if (share < kRoomForTwice) {
+        largestBatch_ = std::max(largestBatch_, 2 * std::min(largestBatch_, 0x7fffffffu));
+    }
 }
 
 core::Result<bool> Renderer::grow(const shared::FrameCounters& counters) {
@@ -191,7 +200,7 @@ core::Result<bool> Renderer::grow(const shared::FrameCounters& counters) {
         std::max({static_cast<double>(counters.photonsNeeded) / photons::kMaxPhotonCapacity,
                   static_cast<double>(counters.pairsNeeded) / mostPairs_,
                   static_cast<double>(counters.mostInTile) / kMostPhotonsInTile});
-    if (most > 1.0) shrinkBatches(0.8 / most);
+    fitBatches(most);
     return dropped || crowded || fullGrid;
 }
 

@@ -89,7 +89,8 @@ class Renderer {
     /// Gives the next frame the room that this one lacked. True where something was dropped or cut.
     /// An error where more room cannot be had.
     core::Result<bool> grow(const shared::FrameCounters& counters);
-    void shrinkBatches(double share);
+    /// \param share  of its largest room that the last batch needed
+    void fitBatches(double share);
 
     execute::Executor* executor_;
     residency::SceneOnGpu scene_;
@@ -100,7 +101,8 @@ class Renderer {
     PathPlan plan_;
     /// What the last frame's mean was made from.
     struct Drawn {
-        bool whole = false;  ///< there is one, and its light was all there
+        bool whole = false;      ///< there is one, and its light was all there
+        bool keptFinal = false;  ///< its picture can be shown again
         Settings settings;
         graph::Extent size{};
         glm::mat4 worldToClip{1.0f};
@@ -113,7 +115,7 @@ class Renderer {
     uint32_t framesSinceChange_ = 0;
     glm::vec3 eyeWorld_{0.0f};             ///< of the last frame's camera
     graph::Buffer treeQuality_;            ///< of the declared frame
-    uint32_t largestBatch_ = 0xffffffffu;  ///< paths; halved while a batch's pairs do not fit
+    uint32_t largestBatch_ = 0xffffffffu;  ///< paths; less while a batch's pairs do not fit
     uint32_t lastBatch_ = 0;               ///< the largest of the last frame
     uint32_t mostPairs_ = 0;               ///< that one batch may have at this size
     bool shadows_ = false;                 ///< in the declared frame

@@ -2,6 +2,7 @@
 // anew.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/frame_test.h"
@@ -84,6 +85,76 @@ TEST_F(OtherSettings, StillFramesKeepTheirPictureOnlyWhereNothingIsChanged) {
     EXPECT_EQ(draw().report.retraced, 0u);
     renderer.forget();
     EXPECT_GT(draw().report.retraced, 0u);
+}
+
+/// The picture's mean over a difference to another.
+double apart(const core::Image& a, const core::Image& b) {
+    double difference = 0.0, sum = 0.0;
+    for (size_t i = 0; i < a.values.size(); ++i) {
+        difference += std::abs(static_cast<double>(a.values[i] - b.values[i]));
+        sum += static_cast<double>(a.values[i]);
+    }
+    return difference / sum;
+}
+
+TEST_F(OtherSettings, DirectLightStaysAsItIsWithoutShadows) {
+    const auto snapshot = test::builtinSnapshot("cornell");
+    auto asked = request(64, 36, snapshot.cameras.front());
+    asked.settings.history = 4;
+    test::SceneRenderer renderer(device(), snapshot);
+    const auto draw = [&] {
+        ++asked.frameNumber;
+        return render(renderer, asked, "irradiance_direct").image;
+    };
+    for (uint32_t i = 0; i < 3; ++i) (void)draw();
+    asked.settings.shadows = false;
+    const core::Image first = draw();
+    asked.settings.shadows = true;
+    EXPECT_GT(apart(draw(), first), 0.02) << "shadows are seen at all";
+    asked.settings.shadows = false;
+    for (uint32_t i = 0; i < 3; ++i) EXPECT_EQ(draw().values, first.values) << "frame " << i;
+    asked.camera.cameraToWorld[3].x += 0.3f;
+    const core::Image elsewhere = draw();
+    EXPECT_EQ(draw().values, elsewhere.values) << "the surface of the camera of now";
+}
+
+TEST_F(OtherSettings, ASettledPictureIsOneThatWasKept) {
+    const auto snapshot = test::builtinSnapshot("cornell");
+    auto asked = request(64, 36, snapshot.cameras.front());
+    asked.settings.history = 4;
+    test::SceneRenderer renderer(device(), snapshot);
+    core::Image last;
+    for (uint32_t i = 0; i < 8; ++i, ++asked.frameNumber)  // others are looked at meanwhile
+        last = render(renderer, asked, "final").image;
+    asked.finalAlone = true;
+    for (uint32_t i = 0; i < 3; ++i, ++asked.frameNumber)
+        EXPECT_LT(apart(render(renderer, asked, "final").image, last), 0.2) << "frame " << i;
+}
+
+TEST_F(OtherSettings, BatchesGrowAgainWhereThereIsRoom) {
+    const auto snapshot = test::builtinSnapshot("cornell");
+    auto asked = request(96, 54, snapshot.cameras.front());
+    asked.settings.gather = photon_gi::Gather::Tiles;
+    asked.settings.photonPaths = 30'000;
+    asked.settings.maxBounces = 4;
+    test::SceneRenderer renderer(device(), snapshot);
+    const auto batches = [&] {
+        graph::Frame frame;
+        const auto drawn = test::need(renderer.declare(frame, asked));
+        test::need(renderer.run(frame, drawn, {}));
+        ++asked.frameNumber;
+        return std::count_if(frame.nodes().begin(), frame.nodes().end(), [](const auto& node) {
+            return node.name.starts_with("photon_trace");
+        });
+    };
+    const auto usual = batches();
+    asked.settings.radiusMetres = 20.0f;
+    int64_t most = 0;
+    for (uint32_t i = 0; i < 4; ++i) most = std::max<int64_t>(most, batches());
+    EXPECT_GT(most, usual);
+    asked.settings.radiusMetres = 0.1f;
+    for (uint32_t i = 0; i < 12; ++i) (void)batches();
+    EXPECT_EQ(batches(), usual);
 }
 
 TEST(SettingsThatGoOn, AreThoseThatMeanTheSameLight) {

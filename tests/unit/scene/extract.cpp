@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "scene/spawn.h"
 #include "scene/systems/world_transforms.h"
 
@@ -96,6 +98,13 @@ TEST_F(Extract, ALightChangesAlone) {
     EXPECT_GT(now.lights[0].version, before.lights[0].version);
     EXPECT_EQ(now.lights[0].powerWatts, glm::vec3(1, 2, 3));
     EXPECT_EQ(now.geometryVersion, before.geometryVersion);
+}
+
+TEST_F(Extract, ALightHasSomeRadius) {
+    for (const float radius : {0.0f, 1e-30f, -1.0f, std::numeric_limits<float>::quiet_NaN()}) {
+        world.edit<SphereLight>(light).radiusMetres = radius;
+        EXPECT_EQ(update().lights[0].radiusMetres, 1e-6f) << radius;
+    }
 }
 
 TEST_F(Extract, EntitiesComeAndGoInTheOrderOfTheirSlots) {
