@@ -83,6 +83,7 @@ core::Result<void> FrameLoop::follow() {
 
 core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, const std::string& readBack,
                                            const AddNodes& addNodes) {
+    TRY_VOID(checkPaths(request.settings.photonPaths, *device_));
     LoopFrame frame;
     request.frameNumber = frameNumber;
     TRY(const photon_gi::DrawnFrame drawn, renderer_->declare(frame.declared, request));

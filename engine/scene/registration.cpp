@@ -62,7 +62,10 @@ core::Result<Transform> loadTransform(const json& object) {
     TRY_VOID(readVector(object, "translation", transform.translation));
     TRY_VOID(readVector(object, "rotation", rotation));
     TRY_VOID(readVector(object, "scale", transform.scale));
-    if (!(glm::length(rotation) > 0.0f)) return core::error("\"rotation\" is zero");
+    const float length = glm::length(rotation);
+    if (!(length > 0.0f)) return core::error("\"rotation\" is zero");
+    // A number of it that somebody typed turns, and does not stretch; rounding stays as it is.
+    if (std::abs(length - 1.0f) > 1e-5f) rotation /= length;
     transform.rotation = glm::quat(rotation.w, rotation.x, rotation.y, rotation.z);
     return transform;
 }

@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <deque>
 #include <optional>
 #include <utility>
 
@@ -50,11 +51,20 @@ GLFWmonitor* monitorUnder(const Place& place) {
 
 }  // namespace
 
+/// What the mouse did, in order: it went somewhere, and there a button may have gone up or down.
+struct MouseEvent {
+    double x = 0.0, y = 0.0;
+    std::optional<size_t> button{};
+    bool down = false;
+};
+
 /// GLFW's callbacks write here; its address stays when the Window moves.
 struct Window::State {
     GLFWwindow* window = nullptr;
     Input input;
+    std::deque<MouseEvent> mouse;  ///< not yet in `input`
     bool closeRequested = false;
+    bool escapeCloses = true;
     bool inputSeen = false;  ///< what the last poll found may be forgotten
     std::optional<Place> beforeFullScreen;
 };
@@ -100,12 +110,22 @@ Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {
         auto& state = *static_cast<State*>(glfwGetWindowUserPointer(from));
         state.input.held[static_cast<size_t>(key)] = action != GLFW_RELEASE;
         if (action == GLFW_PRESS) state.input.pressed[static_cast<size_t>(key)] = true;
-        if (key == kKeyEscape && action == GLFW_PRESS) state.closeRequested = true;
+        if (key == kKeyEscape && action == GLFW_PRESS && state.escapeCloses)
+            state.closeRequested = true;
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* from, int button, int action, int) {
-        auto& input = static_cast<State*>(glfwGetWindowUserPointer(from))->input;
-        if (action == GLFW_PRESS && static_cast<size_t>(button) < input.clicked.size())
-            input.clicked[static_cast<size_t>(button)] = true;
+        auto& state = *static_cast<State*>(glfwGetWindowUserPointer(from));
+        const auto index = static_cast<size_t>(button);
+        if (index >= state.input.buttons.size()) return;
+        MouseEvent event = state.mouse.empty()
+                               ? MouseEvent{state.input.cursorX, state.input.cursorY}
+                               : state.mouse.back();
+        event.button = index;
+        event.down = action == GLFW_PRESS;
+        state.mouse.push_back(event);
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* from, double x, double y) {
+        static_cast<State*>(glfwGetWindowUserPointer(from))->mouse.push_back({x, y});
     });
     glfwSetCharCallback(window, [](GLFWwindow* from, unsigned character) {
         static_cast<State*>(glfwGetWindowUserPointer(from))->input.typed += char32_t{character};
@@ -140,14 +160,26 @@ void Window::poll() {
     watchX11Errors();
     glfwPollEvents();
     state_->inputSeen = true;
-    const double oldX = std::exchange(input.cursorX, 0.0);
-    const double oldY = std::exchange(input.cursorY, 0.0);
-    glfwGetCursorPos(state_->window, &input.cursorX, &input.cursorY);
+    const double oldX = input.cursorX;
+    const double oldY = input.cursorY;
+    takeMouse();
     input.movedX = input.cursorX - oldX;
     input.movedY = input.cursorY - oldY;
-    for (size_t button = 0; button < input.buttons.size(); ++button)
-        input.buttons[button] =
-            glfwGetMouseButton(state_->window, static_cast<int>(button)) == GLFW_PRESS;
+}
+
+void Window::takeMouse() {
+    Input& input = state_->input;
+    while (!state_->mouse.empty()) {
+        const MouseEvent event = state_->mouse.front();
+        state_->mouse.pop_front();
+        input.cursorX = event.x;
+        input.cursorY = event.y;
+        if (!event.button) continue;
+        input.buttons[*event.button] = event.down;
+        input.clicked[*event.button] = event.down;
+        return;  // what comes after happened elsewhere
+    }
+    glfwGetCursorPos(state_->window, &input.cursorX, &input.cursorY);  // outside too
 }
 
 void Window::forgetSeenInput() {
@@ -175,6 +207,10 @@ bool Window::shouldClose() const {
 
 void Window::whenDisplayIsLost(std::function<void()> last) {
     endWhereX11IsLost(std::move(last));
+}
+
+void Window::setEscapeCloses(bool closes) {
+    state_->escapeCloses = closes;
 }
 
 void Window::requestClose() {

@@ -46,7 +46,9 @@ constexpr int kKeyRightControl = 345;
 constexpr int kKeyRightAlt = 346;
 constexpr int kKeyCount = 349;
 
-/// The state after the last poll(). Positions in window coordinates, from the top left.
+/// The state after the last poll(). Positions in window coordinates, from the top left. A poll
+/// takes one button that goes up or down, with the cursor where that was; what came after waits for
+/// the next, so that no click is lost or lands elsewhere, however long a frame takes.
 struct Input {
     std::array<bool, kKeyCount> held{};
     std::array<bool, kKeyCount> pressed{};  ///< went down since the poll before
@@ -84,6 +86,8 @@ class Window {
     /// The user pressed Escape or closed the window, or the window was destroyed from outside.
     [[nodiscard]] bool shouldClose() const;
     void requestClose();
+    /// Whether Escape does: not while it ends something else, such as typing. At first it does.
+    void setEscapeCloses(bool closes);
     /// Where the connection to the display breaks, the program ends with 1 and one line: nothing
     /// can go on from there. `last` is called before, to write what must not be lost.
     void whenDisplayIsLost(std::function<void()> last);
@@ -107,6 +111,7 @@ class Window {
 
  private:
     void forgetSeenInput();
+    void takeMouse();
 
     struct State;
     explicit Window(std::unique_ptr<State> state);

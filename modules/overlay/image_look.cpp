@@ -73,7 +73,8 @@ graph::Image ImageLook::addNode(graph::Frame& frame) {
     if (choice.name != shownName_) written_ = {};  // what is known is another image's
     shownName_ = choice.name;
     const graph::Image source = find(frame, choice.name);
-    if (!source.valid()) {
+    missing_ = !source.valid();
+    if (missing_) {
         written_ = {};
         return {};
     }

@@ -40,6 +40,8 @@ class ImageLook {
     /// The texel under the cursor that findings() are of.
     [[nodiscard]] const std::optional<glm::uvec2>& cursor() const { return cursors_[next_]; }
     [[nodiscard]] const graph::ImageDesc& desc() const { return desc_; }  ///< of what is looked at
+    /// The last frame had no image of that name.
+    [[nodiscard]] bool isMissing() const { return missing_ && choice.name == shownName_; }
     /// The least and the most finite value over what is shown.
     [[nodiscard]] std::array<float, 2> range() const;
 
@@ -50,6 +52,7 @@ class ImageLook {
     std::array<std::optional<glm::uvec2>, 2> cursors_;
     size_t next_ = 0;
     std::string shownName_;
+    bool missing_ = false;
     graph::ImageDesc desc_;
 };
 

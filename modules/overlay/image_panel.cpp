@@ -87,7 +87,10 @@ void drawImagePanel(ImageLook& look) {
     ImGui::SetNextWindowPos({260.0f, 180.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({480.0f, 420.0f}, ImGuiCond_FirstUseEver);
     const std::string title = "Image: " + look.choice.name + "###image";
-    if (ImGui::Begin(title.c_str(), &open)) {
+    const bool unfolded = ImGui::Begin(title.c_str(), &open);
+    if (unfolded && look.isMissing()) {
+        text("not in this frame");
+    } else if (unfolded) {
         const graph::ImageDesc& desc = look.desc();
         text(fmt::format("{} {}x{}, {} layers", graph::name(desc.format), desc.extent.width,
                          desc.extent.height, desc.layers));

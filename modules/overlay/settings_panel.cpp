@@ -128,13 +128,6 @@ void drawBudget(std::optional<double>& milliseconds,
     text(up.empty() ? "nothing is given up" : "given up: " + up);
 }
 
-/// What cannot be had together is put right as the program's options do.
-void mend(Settings& settings) {
-    if (settings.pipeline != photon_gi::Pipeline::Thesis) return;
-    settings.gather = photon_gi::Gather::Tiles;
-    settings.maxBounces = std::min(settings.maxBounces, 1u);
-}
-
 }  // namespace
 
 void drawSettingsPanel(Settings& settings, const Settings& defaults,
@@ -162,7 +155,7 @@ void drawSettingsPanel(Settings& settings, const Settings& defaults,
             for (const SettingInfo& info : settingList()) drawRow(info, settings, defaults);
             ImGui::EndTable();
         }
-        mend(settings);
+        photon_gi::mend(settings);
     }
     ImGui::End();
 }

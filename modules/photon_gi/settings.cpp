@@ -1,6 +1,14 @@
 #include "photon_gi/settings.h"
 
+#include <algorithm>
+
 namespace lampyris::photon_gi {
+
+void mend(Settings& settings) {
+    if (settings.pipeline != Pipeline::Thesis) return;
+    settings.gather = Gather::Tiles;
+    settings.maxBounces = std::min(settings.maxBounces, 1u);
+}
 
 bool meanGoesOn(Settings before, const Settings& now) {
     before.photonPaths = now.photonPaths;

@@ -92,6 +92,9 @@ struct Capacities {
     return finalGathers(s) && s.retrace == Retrace::Auto;
 }
 
+/// Puts right what cannot be had together: the Thesis's pipeline has one bounce, and tiles.
+void mend(Settings& settings);
+
 /// Whether the mean over frames goes on from frames drawn with `before`: they hold the same light,
 /// if with more noise or less. What ends it: low resolution, bounces, seeds, ways of gathering.
 [[nodiscard]] bool meanGoesOn(Settings before, const Settings& now);

@@ -80,19 +80,28 @@ Moment toMoment(const Json& j) {
 }
 
 core::Result<void> checkHead(const std::filesystem::path& path, const Json& head,
-                             const std::string& scene) {
+                             const InputHead& wanted) {
     if (head.value("lampyris_inputs", 0) != kVersion)
         return core::error("{}: is no log of inputs, or one of another version", path.string());
-    const std::string recorded = head.value("scene", std::string{});
-    if (recorded != scene)
-        return core::error("{}: was recorded in {}, not in {}", path.string(), recorded, scene);
+    for (const auto& [key, now] : {std::pair{"scene", &wanted.scene},
+                                   {"camera", &wanted.camera},
+                                   {"animation", &wanted.animation}}) {
+        const std::string then = head.value(key, std::string{});
+        if (then != *now)
+            return core::error("{}: was recorded with {} '{}', not '{}'", path.string(), key, then,
+                               *now);
+    }
     return {};
 }
 
 }  // namespace
 
-InputRecorder::InputRecorder(const std::string& scene, const std::string& state)
-    : text_(Json{{"lampyris_inputs", kVersion}, {"scene", scene}, {"state", Json::parse(state)}}
+InputRecorder::InputRecorder(const InputHead& head, const std::string& state)
+    : text_(Json{{"lampyris_inputs", kVersion},
+                 {"scene", head.scene},
+                 {"camera", head.camera},
+                 {"animation", head.animation},
+                 {"state", Json::parse(state)}}
                 .dump() +
             "\n") {}
 
@@ -104,7 +113,7 @@ core::Result<void> InputRecorder::write(const std::filesystem::path& path) const
     return core::writeFile(path, text_);
 }
 
-core::Result<InputLog> readInputLog(const std::filesystem::path& path, const std::string& scene) {
+core::Result<InputLog> readInputLog(const std::filesystem::path& path, const InputHead& head) {
     TRY(const auto bytes, core::readFile(path));
     std::istringstream lines(std::string(bytes.begin(), bytes.end()));
     InputLog log;
@@ -116,7 +125,7 @@ core::Result<InputLog> readInputLog(const std::filesystem::path& path, const std
                 log.moments.push_back(toMoment(json));
                 continue;
             }
-            TRY_VOID(checkHead(path, json, scene));
+            TRY_VOID(checkHead(path, json, head));
             log.state = json.value("state", Json::object()).dump();
         } catch (const std::exception& e) {
             return core::error("{}:{}: is no moment of inputs ({})", path.string(), number,

@@ -80,7 +80,10 @@ struct Reader {
         s.*field = static_cast<uint32_t>(number);
     }
     void operator()(float Settings::*field) const {
-        s.*field = static_cast<float>(numberOf(value, info.least, info.most, key));
+        // The ends are written as the floats nearest to them.
+        const double least = std::min(info.least, double{static_cast<float>(info.least)});
+        const double most = std::max(info.most, double{static_cast<float>(info.most)});
+        s.*field = static_cast<float>(numberOf(value, least, most, key));
     }
     void operator()(bool Settings::*field) const { s.*field = value.get<bool>(); }
     void operator()(photon_gi::Pipeline Settings::*field) const {

@@ -75,6 +75,10 @@ void overrideBy(const ViewOptions& options, ViewState& state) {
     if (options.renderScale) state.renderScale = *options.renderScale;
 }
 
+InputHead viewedBy(const ViewOptions& options) {
+    return {options.scene, options.camera, options.animation};
+}
+
 }  // namespace
 
 Viewer::Viewer(const ViewOptions& options, window::Window& window, FrameLoop& loop,
@@ -100,8 +104,9 @@ core::Result<void> Viewer::prepare() {
     state_.renderScale = firstRenderScale();
     if (!options_.settings.empty()) TRY_VOID(readState(options_.settings, state_));
     overrideBy(options_, state_);
+    photon_gi::mend(state_.settings);
     if (!options_.replay.empty()) {
-        TRY(InputLog log, readInputLog(options_.replay, options_.scene));
+        TRY(InputLog log, readInputLog(options_.replay, viewedBy(options_)));
         TRY_VOID(parseState(log.state, state_));
         timestep_ = state_.timestep.value_or(timestep_);
         startSeconds_ = state_.startSeconds.value_or(startSeconds_);
@@ -112,7 +117,7 @@ core::Result<void> Viewer::prepare() {
         ViewState begun = state_;
         begun.timestep = timestep_;
         begun.startSeconds = startSeconds_;
-        recorder_.emplace(options_.scene, stateText(begun));
+        recorder_.emplace(viewedBy(options_), stateText(begun));
     }
     budget_.asked = state_.settings;
     loop_.request.camera.cameraToWorld = *state_.cameraToWorld;
@@ -161,6 +166,7 @@ core::Result<void> Viewer::drawAll() {
         if (recorder_) recorder_->add(*moment);
         takeKeys(*moment);
         drawPanels(*moment);
+        window_.setEscapeCloses(!overlay_->typing());
         useMouse(*moment);
         moveCamera(*moment);
         meetWishes();
@@ -176,6 +182,7 @@ core::Result<void> Viewer::drawAll() {
 core::Result<void> Viewer::keep() {
     if (recorder_) TRY_VOID(recorder_->write(options_.record));
     if (options_.settings.empty() || !replayed_.empty()) return {};  // a replay is not the user's
+    if (!drewWith_) return {};  // nobody has seen what would be written
     state_.settings = budget_.asked;
     state_.panels = panels_->open;
     state_.overlay = overlay_->visible();
@@ -300,7 +307,7 @@ void Viewer::moveCamera(const Moment& moment) {
     windowSize_ = moment.size;
     loop_.request.size = scaled(moment.size, play_.renderScale);
     window::Input input = moment.input;
-    input.buttons[0] = dragsCamera_;
+    input.buttons[0] = dragsCamera_ && !moment.input.clicked[0];  // it came here before the press
     if (overlay_->typing()) input.held.fill(false);
     auto& camera = loop_.request.camera;
     glm::mat4 moved = camera.cameraToWorld;
@@ -363,8 +370,10 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
     budget_.setMilliseconds(budgetMilliseconds_);
     budget_.choose(loop_);
     TRY_VOID(loop_.follow());
-    TRY(LoopFrame frame,
-        loop_.tryDraw(number, saves ? std::string("screenshot") : std::string{}, addNodes));
+    auto drawn = loop_.tryDraw(number, saves ? std::string("screenshot") : std::string{}, addNodes);
+    if (!drawn.ok()) return goBack(drawn.error());
+    LoopFrame frame = std::move(*drawn);
+    drewWith_ = budget_.asked;
     budget_.learn(frame);
     const bool whole = frame.outcome.report.valid;
     if (saves && whole) saveScreenshot(frame, number);
@@ -388,6 +397,14 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
         measured_.add(frame);
     }
     last_ = std::move(frame);
+    return {};
+}
+
+core::Result<void> Viewer::goBack(const core::Error& error) {
+    if (!drewWith_ || *drewWith_ == budget_.asked) return error;
+    core::logWarning("{}; back to the last settings that drew", error.message);
+    budget_.asked = *drewWith_;
+    loop_.renderer().forget();
     return {};
 }
 

@@ -51,6 +51,8 @@ class Viewer {
     void meetWishes();
 
     core::Result<void> draw(const Moment& moment, uint64_t number);
+    /// After a frame that failed: to the settings of one that did not, where they are others.
+    core::Result<void> goBack(const core::Error& error);
     core::Result<void> present(const LoopFrame& frame, graph::Image shown);
     void saveScreenshot(const LoopFrame& frame, uint64_t number);
     [[nodiscard]] std::string title(const photon_gi::Renderer::Outcome& outcome) const;
@@ -69,8 +71,9 @@ class Viewer {
     LiveBudget budget_;  ///< holds the settings that are asked for
     std::optional<double> budgetMilliseconds_;
     photon_gi::Settings defaults_;
-    double timestep_ = 0.0;      ///< seconds a frame
-    double startSeconds_ = 0.0;  ///< of the scene's time
+    std::optional<photon_gi::Settings> drewWith_;  ///< asked for when a frame last came out
+    double timestep_ = 0.0;                        ///< seconds a frame
+    double startSeconds_ = 0.0;                    ///< of the scene's time
     ecs::Registry registry_;
     std::optional<overlay::Overlay> overlay_;
     std::optional<overlay::Panels> panels_;

@@ -227,6 +227,46 @@ TEST_F(WindowTest, KeepsWhatCameWhileItWaited) {
     EXPECT_TRUE(window.input().typed.empty());
 }
 
+TEST_F(WindowTest, AClickIsWhereItWasHoweverLateItIsSeen) {
+    auto window = need(window::Window::create({"clicked", 200, 200}));
+    for (int i = 0; i < 10; ++i) window.poll();
+    if (!xdotool("search --sync --name clicked windowfocus --sync"))
+        GTEST_SKIP() << "xdotool is not installed";
+    ASSERT_TRUE(xdotool("search --name clicked mousemove --sync --window %1 20 30"));
+    for (int i = 0; i < 5; ++i) window.waitForEvents(0.1);
+    window.poll();
+    ASSERT_TRUE(
+        xdotool("search --name clicked mousemove --sync --window %1 50 60 mousedown 1 "
+                "mousemove --sync --window %1 70 80 mouseup 1 "
+                "mousemove --sync --window %1 150 160"));
+    for (int i = 0; i < 5; ++i) window.waitForEvents(0.1);
+    window.poll();
+    EXPECT_TRUE(window.input().clicked[0]);
+    EXPECT_TRUE(window.input().buttons[0]);
+    EXPECT_EQ(window.input().cursorX, 50.0);
+    EXPECT_EQ(window.input().cursorY, 60.0);
+    window.poll();
+    EXPECT_FALSE(window.input().clicked[0]);
+    EXPECT_FALSE(window.input().buttons[0]);
+    EXPECT_EQ(window.input().cursorX, 70.0);
+    EXPECT_EQ(window.input().movedX, 20.0);
+    window.poll();
+    EXPECT_EQ(window.input().cursorX, 150.0);
+}
+
+TEST_F(WindowTest, EscapeClosesNothingWhereItEndsSomethingElse) {
+    auto window = need(window::Window::create({"typing", 200, 200}));
+    for (int i = 0; i < 10; ++i) window.poll();
+    if (!xdotool("search --sync --name typing windowfocus --sync"))
+        GTEST_SKIP() << "xdotool is not installed";
+    window.setEscapeCloses(false);
+    ASSERT_TRUE(xdotool("key Escape"));
+    for (int i = 0; i < 5; ++i) window.waitForEvents(0.1);
+    window.poll();
+    EXPECT_TRUE(window.input().wasPressed(window::kKeyEscape));
+    EXPECT_FALSE(window.shouldClose());
+}
+
 TEST(Fitted, PicturesAreAsLargeAsFitsInTheMiddle) {
     const auto wide = window::fitted({160, 90}, {640, 480});
     EXPECT_EQ(wide.extent.width, 640u);

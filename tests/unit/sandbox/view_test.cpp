@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/file.h"
+#include "overlay/setting_list.h"
 #include "scene/builtin/builtin.h"
 #include "scene/extract.h"
 #include "scene/motion.h"
@@ -49,11 +50,11 @@ TEST(FrameRate, CountsFromFrameToFrameAndLeavesInterruptionsOut) {
 
 TEST(InputLog, GivesBackWhatWasRecordedToTheBit) {
     const ScratchFolder folder;
-    InputRecorder recorder("cornell", R"({"exposure":-1.5})");
+    InputRecorder recorder({"cornell", "close", ""}, R"({"exposure":-1.5})");
     recorder.add(aMoment());
     recorder.add(Moment{{}, 0.5f, {1, 1}, {2, 2}});
     ASSERT_TRUE(recorder.write(folder / "log").ok());
-    const auto log = readInputLog(folder / "log", "cornell");
+    const auto log = readInputLog(folder / "log", {"cornell", "close", ""});
     ASSERT_TRUE(log.ok()) << log.error().message;
     EXPECT_EQ(log.value().state, R"({"exposure":-1.5})");
     ASSERT_EQ(log.value().moments.size(), 2u);
@@ -76,17 +77,20 @@ TEST(InputLog, NamesWhatIsWrong) {
     const ScratchFolder folder;
     const auto errorOf = [&](const std::string& text) {
         EXPECT_TRUE(core::writeFile(folder / "log", text).ok());
-        const auto log = readInputLog(folder / "log", "cornell");
+        const auto log = readInputLog(folder / "log", {"cornell", "close", ""});
         return log.ok() ? std::string("none") : log.error().message;
     };
     EXPECT_NE(errorOf("").find("no inputs"), std::string::npos);
     EXPECT_NE(errorOf("{}\n").find("no log of inputs"), std::string::npos);
     EXPECT_NE(errorOf("{\"lampyris_inputs\":1,\"scene\":\"two_rooms\"}\n").find("two_rooms"),
               std::string::npos);
-    const std::string head = "{\"lampyris_inputs\":1,\"scene\":\"cornell\"}\n";
+    EXPECT_NE(
+        errorOf("{\"lampyris_inputs\":1,\"scene\":\"cornell\"}\n").find("camera '', not 'close'"),
+        std::string::npos);
+    const std::string head = "{\"lampyris_inputs\":1,\"scene\":\"cornell\",\"camera\":\"close\"}\n";
     EXPECT_NE(errorOf(head + "{}\n").find(":2: is no moment"), std::string::npos);
     EXPECT_NE(errorOf(head + "{\"seconds\":1,\"window\":[0,1]").find(":2:"), std::string::npos);
-    EXPECT_FALSE(readInputLog(folder / "none", "cornell").ok());
+    EXPECT_FALSE(readInputLog(folder / "none", {"cornell", "close", ""}).ok());
 }
 
 TEST(ViewState, ComesBackFromItsFile) {
@@ -115,6 +119,26 @@ TEST(ViewState, ComesBackFromItsFile) {
     EXPECT_EQ(back.size, state.size);
     EXPECT_EQ(back.cameraToWorld, state.cameraToWorld);
     EXPECT_EQ(back.timeScale, 0.5f);
+}
+
+TEST(ViewState, ComesBackAtBothEndsOfEverySetting) {
+    const ScratchFolder folder;
+    for (const overlay::SettingInfo& info : overlay::settingList())
+        for (const double end : {info.least, info.most}) {
+            ViewState state;
+            std::visit(
+                [&](auto field) {
+                    using T = std::remove_reference_t<decltype(state.settings.*field)>;
+                    if constexpr (std::is_same_v<T, float> || std::is_same_v<T, uint32_t>)
+                        state.settings.*field = static_cast<T>(end);
+                },
+                info.field);
+            ASSERT_TRUE(writeState(folder / "a.json", state).ok());
+            ViewState back;
+            const auto read = readState(folder / "a.json", back);
+            EXPECT_TRUE(read.ok()) << info.name << ": " << read.error().message;
+            EXPECT_EQ(back.settings, state.settings) << info.name;
+        }
 }
 
 TEST(ViewState, IsLeftAsItWasByAFileThatIsNotThere) {
