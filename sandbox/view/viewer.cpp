@@ -167,8 +167,8 @@ core::Result<void> Viewer::drawAll() {
         takeKeys(*moment);
         drawPanels(*moment);
         window_.setEscapeCloses(!overlay_->typing());
-        useMouse(*moment);
-        moveCamera(*moment);
+        const bool turns = useMouse(*moment);
+        moveCamera(*moment, turns);
         meetWishes();
         TRY_VOID(draw(*moment, i));
         if (i >= options_.warmup.value_or(0)) rate_.add(Clock::now());
@@ -285,29 +285,30 @@ void Viewer::drawPanels(const Moment& moment) {
 }
 
 /// A click picks, a drag turns the camera; both only where neither panels nor handles lie.
-void Viewer::useMouse(const Moment& moment) {
+bool Viewer::useMouse(const Moment& moment) {
     const window::Input& in = moment.input;
+    const bool dragged = dragsCamera_;  // up to here, also where the button went up now
     if (in.clicked[0] && !overlay_->wantsMouse() && !handlesHot_) {
         dragsCamera_ = true;
         draggedPixels_ = 0.0;
     } else if (dragsCamera_) {
         draggedPixels_ += std::abs(in.movedX) + std::abs(in.movedY);
     }
-    if (!dragsCamera_) return;
-    if (in.buttons[0]) return;
+    if (!dragsCamera_ || in.buttons[0]) return dragged;
     dragsCamera_ = false;
-    if (draggedPixels_ > kClickPixels) return;
+    if (draggedPixels_ > kClickPixels) return dragged;
     const double scale =
         static_cast<double>(moment.size.width) / static_cast<double>(moment.windowSize.width);
     selected_ = pick(loop_.snapshot(), loop_.request.camera, moment.size, in.cursorX * scale,
                      in.cursorY * scale);
+    return dragged;
 }
 
-void Viewer::moveCamera(const Moment& moment) {
+void Viewer::moveCamera(const Moment& moment, bool turns) {
     windowSize_ = moment.size;
     loop_.request.size = scaled(moment.size, play_.renderScale);
     window::Input input = moment.input;
-    input.buttons[0] = dragsCamera_ && !moment.input.clicked[0];  // it came here before the press
+    input.buttons[0] = turns;
     if (overlay_->typing()) input.held.fill(false);
     auto& camera = loop_.request.camera;
     glm::mat4 moved = camera.cameraToWorld;

@@ -46,8 +46,9 @@ class Viewer {
 
     void takeKeys(const Moment& moment);
     void drawPanels(const Moment& moment);
-    void useMouse(const Moment& moment);
-    void moveCamera(const Moment& moment);
+    /// \return whether the mouse's motion of this frame turns the camera
+    bool useMouse(const Moment& moment);
+    void moveCamera(const Moment& moment, bool turns);
     void meetWishes();
 
     core::Result<void> draw(const Moment& moment, uint64_t number);
