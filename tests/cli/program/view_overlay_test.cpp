@@ -189,6 +189,28 @@ TEST_F(ViewOverlay, EndsWithOneLineWhereItsDisplayIsLost) {
     EXPECT_TRUE(jsonOf(folder_ / "a.json").contains("settings")) << "what is to be kept is kept";
 }
 
+TEST_F(ViewOverlay, GoesBackFromSettingsThatNoFrameIsDrawnWith) {
+    const std::string file = folder_ / "a.json";
+    const std::string panels = R"({"panels":{"timing":false,"settings":true}})";
+    ASSERT_TRUE(core::writeFile(file, panels).ok());
+    const auto view =
+        startView({"--size", "1280x720", "--render-scale", "0.1", "--settings", file});
+    ASSERT_TRUE(showsFrames(*view));
+    focus();
+    const ScreenFile before = screen();
+    (void)ask({"mousemove", "535", "396", "keydown", "ctrl", "click", "1", "keyup", "ctrl"});
+    EXPECT_TRUE(changes(before, 500, 385, 570, 407, 20)) << "the field of photons is typed into";
+    (void)ask({"key", "ctrl+a"});
+    (void)ask({"type", "4294967295"});
+    (void)ask({"key", "Return"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+    press("Escape");
+    const Ran ran = view->wait(kViewSeconds);
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_NE(ran.err.find("back to the last settings that drew"), std::string::npos) << ran.err;
+    EXPECT_EQ(jsonOf(file)["settings"]["photons"], 2500);
+}
+
 TEST_F(ViewOverlay, KeepsItsSettingsInAFile) {
     const std::string file = folder_ / "a.json";
     expectQuietEnd(*startView({"--size", "160x90", "--frames", "2", "--photons", "77", "--exposure",
