@@ -70,11 +70,17 @@ core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options,
     TRY(execute::Executor executor, execute::Executor::create(*loop->device_));
     loop->executor_.emplace(std::move(executor));
     TRY(loop->world_, openWorld(options));
-    loop->renderer_.emplace(*loop->executor_,
-                            accel::AccelSettings{.rebuild = {.deterministic = live.repeatable}});
+    loop->accelSettings_.rebuild.deterministic = live.repeatable;
+    loop->renderer_.emplace(*loop->executor_, loop->accelSettings_);
     TRY_VOID(loop->follow());
     TRY(loop->request.camera, chooseCamera(loop->snapshot(), options.camera));
     return loop;
+}
+
+core::Result<void> FrameLoop::beginAnew() {
+    TRY_VOID(device_->waitIdle());
+    renderer_.emplace(*executor_, accelSettings_);
+    return follow();
 }
 
 core::Result<void> FrameLoop::follow() {

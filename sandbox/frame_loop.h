@@ -62,6 +62,10 @@ class FrameLoop {
     /// itself.
     core::Result<void> follow();
 
+    /// After an Error of tryDraw(): uploads the scene again, as what was on its way is lost, and
+    /// gives back the room that frames had grown to.
+    core::Result<void> beginAnew();
+
     /// What the next frames are drawn with.
     photon_gi::FrameRequest request;
     /// The world's time as of the next follow().
@@ -78,6 +82,7 @@ class FrameLoop {
     std::unique_ptr<gpu::Device> device_;
     std::optional<execute::Executor> executor_;
     std::optional<photon_gi::Renderer> renderer_;
+    accel::AccelSettings accelSettings_;
     std::string outputNode_;
     ecs::World world_;
     scene::LiveSnapshot snapshot_;

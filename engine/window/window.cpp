@@ -51,22 +51,29 @@ GLFWmonitor* monitorUnder(const Place& place) {
 
 }  // namespace
 
-/// What the mouse did, in order: it went somewhere, and there a button may have gone up or down.
-struct MouseEvent {
+/// One thing that the user did, and where the cursor was. At most one of the three.
+struct Event {
     double x = 0.0, y = 0.0;
-    std::optional<size_t> button{};
-    bool down = false;
+    std::optional<size_t> button{}, key{};
+    int action = GLFW_RELEASE;  ///< of the button or key
+    char32_t typed = 0;
 };
 
 /// GLFW's callbacks write here; its address stays when the Window moves.
 struct Window::State {
     GLFWwindow* window = nullptr;
     Input input;
-    std::deque<MouseEvent> mouse;  ///< not yet in `input`
+    std::deque<Event> events;  ///< in order, not yet in `input`
+    double scrolled = 0.0;     ///< likewise
     bool closeRequested = false;
     bool escapeCloses = true;
-    bool inputSeen = false;  ///< what the last poll found may be forgotten
     std::optional<Place> beforeFullScreen;
+
+    /// One where the cursor was last.
+    Event& add() {
+        const Event last = events.empty() ? Event{input.cursorX, input.cursorY} : events.back();
+        return events.emplace_back(Event{last.x, last.y});
+    }
 };
 
 core::Result<std::vector<MonitorInfo>> listMonitors() {
@@ -107,31 +114,26 @@ Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {
     glfwSetWindowUserPointer(window, state_.get());
     glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int, int action, int) {
         if (key < 0 || key >= kKeyCount) return;
-        auto& state = *static_cast<State*>(glfwGetWindowUserPointer(from));
-        state.input.held[static_cast<size_t>(key)] = action != GLFW_RELEASE;
-        if (action == GLFW_PRESS) state.input.pressed[static_cast<size_t>(key)] = true;
-        if (key == kKeyEscape && action == GLFW_PRESS && state.escapeCloses)
-            state.closeRequested = true;
+        Event& event = static_cast<State*>(glfwGetWindowUserPointer(from))->add();
+        event.key = static_cast<size_t>(key);
+        event.action = action;
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* from, int button, int action, int) {
         auto& state = *static_cast<State*>(glfwGetWindowUserPointer(from));
         const auto index = static_cast<size_t>(button);
         if (index >= state.input.buttons.size()) return;
-        MouseEvent event = state.mouse.empty()
-                               ? MouseEvent{state.input.cursorX, state.input.cursorY}
-                               : state.mouse.back();
+        Event& event = state.add();
         event.button = index;
-        event.down = action == GLFW_PRESS;
-        state.mouse.push_back(event);
+        event.action = action;
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow* from, double x, double y) {
-        static_cast<State*>(glfwGetWindowUserPointer(from))->mouse.push_back({x, y});
+        static_cast<State*>(glfwGetWindowUserPointer(from))->events.push_back(Event{x, y});
     });
     glfwSetCharCallback(window, [](GLFWwindow* from, unsigned character) {
-        static_cast<State*>(glfwGetWindowUserPointer(from))->input.typed += char32_t{character};
+        static_cast<State*>(glfwGetWindowUserPointer(from))->add().typed = char32_t{character};
     });
     glfwSetScrollCallback(window, [](GLFWwindow* from, double, double lines) {
-        static_cast<State*>(glfwGetWindowUserPointer(from))->input.scrolled += lines;
+        static_cast<State*>(glfwGetWindowUserPointer(from))->scrolled += lines;
     });
     glfwGetCursorPos(window, &state_->input.cursorX, &state_->input.cursorY);
     x11WindowIsNew(window);
@@ -156,43 +158,42 @@ Window::~Window() {
 
 void Window::poll() {
     Input& input = state_->input;
-    forgetSeenInput();
     watchX11Errors();
     glfwPollEvents();
-    state_->inputSeen = true;
+    input.pressed.fill(false);
+    input.clicked.fill(false);
+    input.typed.clear();
+    input.scrolled = std::exchange(state_->scrolled, 0.0);
     const double oldX = input.cursorX;
     const double oldY = input.cursorY;
-    takeMouse();
+    takeEvents();
     input.movedX = input.cursorX - oldX;
     input.movedY = input.cursorY - oldY;
 }
 
-void Window::takeMouse() {
+void Window::takeEvents() {
     Input& input = state_->input;
-    while (!state_->mouse.empty()) {
-        const MouseEvent event = state_->mouse.front();
-        state_->mouse.pop_front();
+    while (!state_->events.empty()) {
+        const Event event = state_->events.front();
+        state_->events.pop_front();
         input.cursorX = event.x;
         input.cursorY = event.y;
+        if (event.typed != 0) input.typed += event.typed;
+        if (event.key) {
+            input.held[*event.key] = event.action != GLFW_RELEASE;
+            if (event.action == GLFW_PRESS) input.pressed[*event.key] = true;
+            if (event.action == GLFW_PRESS && *event.key == kKeyEscape && state_->escapeCloses)
+                state_->closeRequested = true;
+        }
         if (!event.button) continue;
-        input.buttons[*event.button] = event.down;
-        input.clicked[*event.button] = event.down;
+        input.buttons[*event.button] = event.action == GLFW_PRESS;
+        input.clicked[*event.button] = event.action == GLFW_PRESS;
         return;  // what comes after happened elsewhere
     }
     glfwGetCursorPos(state_->window, &input.cursorX, &input.cursorY);  // outside too
 }
 
-void Window::forgetSeenInput() {
-    if (!std::exchange(state_->inputSeen, false)) return;
-    Input& input = state_->input;
-    input.pressed.fill(false);
-    input.clicked.fill(false);
-    input.typed.clear();
-    input.scrolled = 0.0;
-}
-
 void Window::waitForEvents(double seconds) {
-    forgetSeenInput();
     glfwWaitEventsTimeout(seconds);
 }
 

@@ -47,8 +47,9 @@ constexpr int kKeyRightAlt = 346;
 constexpr int kKeyCount = 349;
 
 /// The state after the last poll(). Positions in window coordinates, from the top left. A poll
-/// takes one button that goes up or down, with the cursor where that was; what came after waits for
-/// the next, so that no click is lost or lands elsewhere, however long a frame takes.
+/// takes what happened up to the first mouse button that goes up or down, with the cursor where
+/// that was; the rest waits for the next, so that no click is lost, lands elsewhere or is overtaken
+/// by a key, however long a frame takes.
 struct Input {
     std::array<bool, kKeyCount> held{};
     std::array<bool, kKeyCount> pressed{};  ///< went down since the poll before
@@ -110,8 +111,7 @@ class Window {
     [[nodiscard]] GLFWwindow* handle() const;
 
  private:
-    void forgetSeenInput();
-    void takeMouse();
+    void takeEvents();
 
     struct State;
     explicit Window(std::unique_ptr<State> state);

@@ -14,7 +14,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr float kLeastStep = 1e-4f;  // seconds: ImGui takes no frame of no length
+constexpr float kDoubleClickSeconds = 0.3f;  // [chosen] as Dear ImGui
+constexpr float kLeastStep = 1e-4f;          // seconds: ImGui takes no frame of no length
 
 double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
@@ -99,6 +100,8 @@ void Overlay::begin(const window::Input& input, graph::Extent windowSize, graph:
     const auto height = static_cast<float>(pictureSize.height);
     io.DisplaySize = {width, height};
     io.DeltaTime = std::max(static_cast<float>(seconds), kLeastStep);
+    // Two presses lie at least two frames apart.
+    io.MouseDoubleClickTime = std::max(kDoubleClickSeconds, 2.5f * io.DeltaTime);
     feedInput(io, input, width / static_cast<float>(std::max(windowSize.width, 1u)),
               height / static_cast<float>(std::max(windowSize.height, 1u)));
     ImGui::NewFrame();

@@ -177,7 +177,7 @@ void Renderer::fitBatches(double share) {
     if (share > 1.0) {
         const uint32_t batch = std::min(largestBatch_, lastBatch_);
         largestBatch_ = std::max(1u, static_cast<uint32_t>(batch * std::min(0.8 / share, 0.9)));
-    } else if (share < kRoomForTwice) {
+    } else if (share > 0.0 && share < kRoomForTwice) {
         largestBatch_ = std::max(largestBatch_, 2 * std::min(largestBatch_, 0x7fffffffu));
     }
 }
@@ -200,7 +200,7 @@ core::Result<bool> Renderer::grow(const shared::FrameCounters& counters) {
         std::max({static_cast<double>(counters.photonsNeeded) / photons::kMaxPhotonCapacity,
                   static_cast<double>(counters.pairsNeeded) / mostPairs_,
                   static_cast<double>(counters.mostInTile) / kMostPhotonsInTile});
-    fitBatches(most);
+    if (most > 1.0 || !dropped) fitBatches(most);
     return dropped || crowded || fullGrid;
 }
 

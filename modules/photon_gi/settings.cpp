@@ -28,6 +28,7 @@ bool pathsGoOn(Settings before, const Settings& now) {
     before.filterLevels = now.filterLevels;
     before.gridColumns = now.gridColumns;
     before.history = now.history;
+    before.largestBatch = now.largestBatch;  // kept paths are one batch
     before.lightCutoff = now.lightCutoff;
     before.shadows = now.shadows;
     before.shadowDivisor = now.shadowDivisor;

@@ -86,7 +86,7 @@ core::Result<void> checkHead(const std::filesystem::path& path, const Json& head
     for (const auto& [key, now] : {std::pair{"scene", &wanted.scene},
                                    {"camera", &wanted.camera},
                                    {"animation", &wanted.animation}}) {
-        const std::string then = head.value(key, std::string{});
+        const std::string then = head.value(key, *now);  // older logs do not say
         if (then != *now)
             return core::error("{}: was recorded with {} '{}', not '{}'", path.string(), key, then,
                                *now);

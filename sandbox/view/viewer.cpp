@@ -372,11 +372,14 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
     budget_.choose(loop_);
     TRY_VOID(loop_.follow());
     auto drawn = loop_.tryDraw(number, saves ? std::string("screenshot") : std::string{}, addNodes);
-    if (!drawn.ok()) return goBack(drawn.error());
+    if (!drawn.ok()) {
+        play_.screenshot = saves;
+        return goBack(drawn.error());
+    }
     LoopFrame frame = std::move(*drawn);
-    drewWith_ = budget_.asked;
     budget_.learn(frame);
     const bool whole = frame.outcome.report.valid;
+    if (whole) drewWith_ = budget_.asked;
     if (saves && whole) saveScreenshot(frame, number);
     if (saves && !whole) play_.screenshot = true;  // the next one
     if (watch_ && whole)
@@ -405,8 +408,7 @@ core::Result<void> Viewer::goBack(const core::Error& error) {
     if (!drewWith_ || *drewWith_ == budget_.asked) return error;
     core::logWarning("{}; back to the last settings that drew", error.message);
     budget_.asked = *drewWith_;
-    loop_.renderer().forget();
-    return {};
+    return loop_.beginAnew();
 }
 
 core::Result<void> Viewer::present(const LoopFrame& frame, graph::Image shown) {

@@ -238,13 +238,14 @@ TEST_F(WindowTest, AClickIsWhereItWasHoweverLateItIsSeen) {
     ASSERT_TRUE(
         xdotool("search --name clicked mousemove --sync --window %1 50 60 mousedown 1 "
                 "mousemove --sync --window %1 70 80 mouseup 1 "
-                "mousemove --sync --window %1 150 160"));
+                "mousemove --sync --window %1 150 160 key j"));
     for (int i = 0; i < 5; ++i) window.waitForEvents(0.1);
     window.poll();
     EXPECT_TRUE(window.input().clicked[0]);
     EXPECT_TRUE(window.input().buttons[0]);
     EXPECT_EQ(window.input().cursorX, 50.0);
     EXPECT_EQ(window.input().cursorY, 60.0);
+    EXPECT_FALSE(window.input().wasPressed('J')) << "that was after it";
     window.poll();
     EXPECT_FALSE(window.input().clicked[0]);
     EXPECT_FALSE(window.input().buttons[0]);
@@ -252,6 +253,7 @@ TEST_F(WindowTest, AClickIsWhereItWasHoweverLateItIsSeen) {
     EXPECT_EQ(window.input().movedX, 20.0);
     window.poll();
     EXPECT_EQ(window.input().cursorX, 150.0);
+    EXPECT_TRUE(window.input().wasPressed('J'));
 }
 
 TEST_F(WindowTest, EscapeClosesNothingWhereItEndsSomethingElse) {
