@@ -36,7 +36,7 @@ void drawPicture(LookChoice& choice, const graph::ImageDesc& desc) {
     const auto [columns, rows] = desc.extent;
     const float height = width * static_cast<float>(rows) / static_cast<float>(columns);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::Image(reinterpret_cast<ImTextureID>(kPictureTexture), {width, height});
+    ImGui::Image(pictureTexture(), {width, height});
     choice.cursor.reset();
     if (!ImGui::IsItemHovered()) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -45,7 +45,7 @@ class Overlay {
     [[nodiscard]] bool typing() const;
 
     /// Declares the node `overlay`, which draws the panels over `shown`.
-    /// \param picture  what panels show as kPictureTexture, see image_view.h; may be invalid
+    /// \param picture  what panels show by pictureTexture(), see panel_node.h; may be invalid
     [[nodiscard]] graph::Image addNode(graph::Frame& frame, graph::Image shown,
                                        graph::Image picture = {});
 

@@ -11,15 +11,14 @@ struct ImDrawData;
 
 namespace lampyris::overlay {
 
-/// Of ImGui's atlas, which must be built; it is then told to name the font by kFontTexture.
+/// Of ImGui's atlas, which must be built.
 core::Result<gpu::Image> makeFont(gpu::Device& device);
 
-/// What an ImTextureID says.
-constexpr uintptr_t kFontTexture = 1;
-constexpr uintptr_t kPictureTexture = 2;
+/// What panels show the picture by; any other texture is the font.
+[[nodiscard]] void* pictureTexture();  ///< an ImTextureID
 
 /// \param shown    8-bit display values; drawn over
-/// \param picture  what kPictureTexture shows; invalid: the font
+/// \param picture  what pictureTexture() shows; invalid: the font
 [[nodiscard]] graph::Image addPanels(graph::Frame& frame, const ImDrawData& lists,
                                      const gpu::Image& font, graph::Image picture,
                                      graph::Image shown);
