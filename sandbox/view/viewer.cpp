@@ -148,7 +148,7 @@ core::Result<void> Viewer::run() {
         if (!kept.ok()) core::logError("{}", kept.error().message);
     });
     loop_.seconds = startSeconds_;
-    const auto drawn = drawAll();
+    auto drawn = drawAll();
     window_.whenDisplayIsLost({});
     const auto kept = keep();
     if (!drawn.ok()) return drawn;
