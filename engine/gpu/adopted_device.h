@@ -28,8 +28,7 @@ struct AdoptedDevice {
     /// What vkCreateDevice was given: features are read from pNext and pEnabledFeatures, extensions
     /// from their list. Read by adopt() alone, so it need not outlive it.
     const VkDeviceCreateInfo* madeWith = nullptr;
-    bool debugUtils =
-        false;  ///< the instance has VK_EXT_debug_utils: objects and nodes may be named
+    bool debugUtils = false;  ///< the instance has VK_EXT_debug_utils: for names and labels
 };
 
 /// Which of the features that we know a device was made with: those of VkPhysicalDeviceFeatures2,

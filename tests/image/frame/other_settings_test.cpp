@@ -12,6 +12,17 @@ namespace {
 
 using photon_gi::Settings;
 
+/// How far two pictures lie apart, as a share of the light in the first.
+double apart(const core::Image& a, const core::Image& b) {
+    double difference = 0.0;
+    double sum = 0.0;
+    for (size_t i = 0; i < a.values.size(); ++i) {
+        difference += std::abs(static_cast<double>(a.values[i] - b.values[i]));
+        sum += static_cast<double>(a.values[i]);
+    }
+    return difference / sum;
+}
+
 class OtherSettings : public test::FrameTest {
  protected:
     /// The last of 24 still frames, each with settings of its own.
@@ -35,15 +46,7 @@ class OtherSettings : public test::FrameTest {
     }
     /// How far two seeds lie apart, as a share of the light.
     static double noise(void (*change)(Settings&, uint32_t)) {
-        const core::Image a = last(1, change);
-        const core::Image b = last(2, change);
-        double apart = 0.0;
-        double sum = 0.0;
-        for (size_t i = 0; i < a.values.size(); ++i) {
-            apart += std::abs(static_cast<double>(a.values[i] - b.values[i]));
-            sum += static_cast<double>(a.values[i]);
-        }
-        return apart / sum;
+        return apart(last(1, change), last(2, change));
     }
 };
 
@@ -85,16 +88,6 @@ TEST_F(OtherSettings, StillFramesKeepTheirPictureOnlyWhereNothingIsChanged) {
     EXPECT_EQ(draw().report.retraced, 0u);
     renderer.forget();
     EXPECT_GT(draw().report.retraced, 0u);
-}
-
-/// The picture's mean over a difference to another.
-double apart(const core::Image& a, const core::Image& b) {
-    double difference = 0.0, sum = 0.0;
-    for (size_t i = 0; i < a.values.size(); ++i) {
-        difference += std::abs(static_cast<double>(a.values[i] - b.values[i]));
-        sum += static_cast<double>(a.values[i]);
-    }
-    return difference / sum;
 }
 
 TEST_F(OtherSettings, DirectLightStaysAsItIsWithoutShadows) {
