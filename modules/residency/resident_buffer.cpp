@@ -90,11 +90,13 @@ core::Result<void> ResidentBuffer::stage(uint64_t offset, std::span<const std::b
 core::Result<void> ResidentBuffer::sendStaged(gpu::Staging& staging) {
     if (pieces_.empty()) return {};
     const auto host = turns_[turn_].mapped();
-    for (const Piece& piece : pieces_)
+    for (const Piece& piece : pieces_) {
         TRY_VOID(staging.write(buffer_, piece.target, host.subspan(piece.source, piece.bytes)));
+        TRY_VOID(staging.flush());  // a later piece may lie over it
+    }
     pieces_.clear();
     staged_ = 0;
-    return staging.flush();
+    return {};
 }
 
 graph::Buffer ResidentBuffer::import(graph::Frame& frame, const std::string& node) {
