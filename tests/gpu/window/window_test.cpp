@@ -96,6 +96,12 @@ class WindowTest : public ::testing::Test {
         return std::system(("xdotool " + command + " >/dev/null 2>&1").c_str()) == 0;
     }
 
+    /// Shows the window and gives it the keyboard; whether xdotool was there to do so.
+    static bool takesKeys(window::Window& window, const std::string& name) {
+        for (int i = 0; i < 10; ++i) window.poll();
+        return xdotool("search --sync --name " + name + " windowfocus --sync");
+    }
+
     static inline Display* display_ = nullptr;
     std::unique_ptr<gpu::Device> device_;
 };
@@ -195,9 +201,7 @@ TEST_F(WindowTest, LetsOthersDrawOverThePicture) {
 
 TEST_F(WindowTest, EscapeCloses) {
     auto window = need(window::Window::create({"escape", 200, 200}));
-    for (int i = 0; i < 10; ++i) window.poll();
-    if (!xdotool("search --sync --name escape windowfocus --sync"))
-        GTEST_SKIP() << "xdotool is not installed";
+    if (!takesKeys(window, "escape")) GTEST_SKIP() << "xdotool is not installed";
     ASSERT_TRUE(xdotool("key a keydown Escape"));
     bool a = false;
     for (int i = 0; i < 100 && !window.shouldClose(); ++i) {
@@ -213,9 +217,7 @@ TEST_F(WindowTest, EscapeCloses) {
 
 TEST_F(WindowTest, KeepsWhatCameWhileItWaited) {
     auto window = need(window::Window::create({"waits", 200, 200}));
-    for (int i = 0; i < 10; ++i) window.poll();
-    if (!xdotool("search --sync --name waits windowfocus --sync"))
-        GTEST_SKIP() << "xdotool is not installed";
+    if (!takesKeys(window, "waits")) GTEST_SKIP() << "xdotool is not installed";
     ASSERT_TRUE(xdotool("key j"));
     for (int i = 0; i < 5; ++i) window.waitForEvents(0.1);
     window.poll();
@@ -229,9 +231,7 @@ TEST_F(WindowTest, KeepsWhatCameWhileItWaited) {
 
 TEST_F(WindowTest, AClickIsWhereItWasHoweverLateItIsSeen) {
     auto window = need(window::Window::create({"clicked", 200, 200}));
-    for (int i = 0; i < 10; ++i) window.poll();
-    if (!xdotool("search --sync --name clicked windowfocus --sync"))
-        GTEST_SKIP() << "xdotool is not installed";
+    if (!takesKeys(window, "clicked")) GTEST_SKIP() << "xdotool is not installed";
     ASSERT_TRUE(xdotool("search --name clicked mousemove --sync --window %1 20 30"));
     for (int i = 0; i < 5; ++i) window.waitForEvents(0.1);
     window.poll();
@@ -258,9 +258,7 @@ TEST_F(WindowTest, AClickIsWhereItWasHoweverLateItIsSeen) {
 
 TEST_F(WindowTest, EscapeClosesNothingWhereItEndsSomethingElse) {
     auto window = need(window::Window::create({"typing", 200, 200}));
-    for (int i = 0; i < 10; ++i) window.poll();
-    if (!xdotool("search --sync --name typing windowfocus --sync"))
-        GTEST_SKIP() << "xdotool is not installed";
+    if (!takesKeys(window, "typing")) GTEST_SKIP() << "xdotool is not installed";
     window.setEscapeCloses(false);
     ASSERT_TRUE(xdotool("key Escape"));
     for (int i = 0; i < 5; ++i) window.waitForEvents(0.1);
