@@ -24,15 +24,6 @@ std::vector<uint32_t> changedRanges(const photons::PathSplit& split,
     return changed;
 }
 
-/// The box and where paths start that leave from its surfaces: twice `emission.glsl`'s offset.
-math::Bounds withStarts(math::Bounds box) {
-    const glm::vec3 reach = glm::max(glm::abs(box.lower), glm::abs(box.upper));
-    const float offset = 2e-5f * glm::length(reach) + 2e-6f;
-    box.lower -= offset;
-    box.upper += offset;
-    return box;
-}
-
 }  // namespace
 
 bool PathKeeper::goesOn(const Settings& settings, const Now& now, photons::PathChoice& choice) {
@@ -45,7 +36,7 @@ bool PathKeeper::goesOn(const Settings& settings, const Now& now, photons::PathC
     choice.all = false;
     choice.rangesAgain = changedRanges(split_, lights_, now.lights);
     for (const scene::ChangedRegion& region : now.changes.regions)
-        choice.boxes.push_back(withStarts(region.boundsWorld));
+        choice.boxes.push_back(region.boundsWorld);
     choice.turns = settings.reseed ? kTurns : 0;
     choice.turn = static_cast<uint32_t>(now.frameNumber % kTurns);
     return true;

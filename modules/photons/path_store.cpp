@@ -10,6 +10,13 @@ namespace {
 // [chosen] Boxes that a path's segments are held against; what is more counts as one around them.
 constexpr size_t kMostBoxes = 16;
 
+/// What lies on a box: hits are rounded, and paths leave a surface from in front of it, twice as far
+/// here as `lib/emission.glsl` has it. [chosen] a millimetre at the least
+float marginOf(const math::Bounds& box) {
+    return 1e-3f + 2e-5f * glm::length(glm::max(glm::abs(box.lower), glm::abs(box.upper)));
+}
+
+/// Of the boxes, wider by their margin.
 std::vector<glm::vec4> cornersOf(std::span<const math::Bounds> boxes) {
     std::vector<math::Bounds> few;
     for (const math::Bounds& box : boxes) {
@@ -20,8 +27,8 @@ std::vector<glm::vec4> cornersOf(std::span<const math::Bounds> boxes) {
     }
     std::vector<glm::vec4> corners;
     for (const math::Bounds& box : few) {
-        corners.emplace_back(box.lower, 0.0f);
-        corners.emplace_back(box.upper, 0.0f);
+        corners.emplace_back(box.lower - marginOf(box), 0.0f);
+        corners.emplace_back(box.upper + marginOf(box), 0.0f);
     }
     return corners;
 }

@@ -18,9 +18,8 @@ bool meetsBox(vec3 from, vec3 to) {
     vec3 inverse = 1.0 / mix(way, vec3(1e-20), lessThan(abs(way), vec3(1e-20)));
     bool meets = false;
     for (uint i = 0u; i < params.boxCount; ++i) {
-        // [chosen] A millimetre wider: hits are rounded.
-        vec3 a = (corners[2u * i].xyz - 1e-3 - from) * inverse;
-        vec3 b = (corners[2u * i + 1u].xyz + 1e-3 - from) * inverse;
+        vec3 a = (corners[2u * i].xyz - from) * inverse;
+        vec3 b = (corners[2u * i + 1u].xyz - from) * inverse;
         vec3 near = min(a, b), far = max(a, b);
         meets = meets || max(max(near.x, near.y), max(near.z, 0.0)) <= min(min(far.x, far.y), min(far.z, 1.0));
     }

@@ -79,6 +79,28 @@ TEST_F(KeptPaths, AreThoseThatWouldHaveBeenTraced) {
     }
 }
 
+TEST_F(KeptPaths, DoNotStayWithALampThatLeftFarFromTheOrigin) {
+    // Paths leave its plane from in front of it, the farther the larger the coordinates.
+    auto panel = test::quad({500, 0, 0}, {500, 1, 0}, {500, 1, 1}, {500, 0, 1});
+    assets::updateBounds(panel);
+    auto light = scene::lambertian("light", glm::vec3(0.5f));
+    light.emissiveRadiance = glm::vec3(10.0f);
+    light.doubleSided = true;
+    auto& library = world_.resource<scene::Library>();
+    const auto lamp = scene::spawnMesh(world_, std::move(panel), library.addMaterial(light));
+    const auto kept = asked(photon_gi::Retrace::Auto, false);
+    test::SceneRenderer keeping(device(), snapshot_);
+    (void)render(keeping, kept, "final");
+    world_.edit<scene::Transform>(lamp).translation.y += 5.0f;
+    test::need(keeping.update(step()));
+    const auto& split = keeping.paths();
+    uint32_t ofThePanel = 0;
+    for (const auto& range : split.ranges)
+        if (range.kind == shared::EMIT_SURFACE) ofThePanel += range.pathCount;
+    EXPECT_GT(ofThePanel, 10u);
+    EXPECT_GE(render(keeping, kept, "final").report.retraced, ofThePanel);
+}
+
 TEST_F(KeptPaths, OfALightThatMovedAreTracedAndNoOthers) {
     auto wanted = asked(photon_gi::Retrace::Auto, false);
     test::SceneRenderer renderer(device(), snapshot_);
