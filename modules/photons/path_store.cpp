@@ -10,8 +10,8 @@ namespace {
 // [chosen] Boxes that a path's segments are held against; what is more counts as one around them.
 constexpr size_t kMostBoxes = 16;
 
-/// What lies on a box: hits are rounded, and paths leave a surface from in front of it, twice as far
-/// here as `lib/emission.glsl` has it. [chosen] a millimetre at the least
+/// What lies on a box: hits are rounded, and paths leave a surface from in front of it, twice as
+/// far here as `lib/emission.glsl` has it. [chosen] a millimetre at the least
 float marginOf(const math::Bounds& box) {
     return 1e-3f + 2e-5f * glm::length(glm::max(glm::abs(box.lower), glm::abs(box.upper)));
 }
