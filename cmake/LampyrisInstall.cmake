@@ -22,7 +22,7 @@ function(lampyris_install_package)
     configure_package_config_file(${CMAKE_SOURCE_DIR}/cmake/lampyris-config.cmake.in
         ${CMAKE_BINARY_DIR}/package/lampyris-config.cmake INSTALL_DESTINATION ${LAMPYRIS_PACKAGE})
     write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/lampyris-config-version.cmake
-        COMPATIBILITY SameMajorVersion)
+        COMPATIBILITY SameMinorVersion) # until 1.0 a minor version may break what was
     install(FILES ${CMAKE_BINARY_DIR}/package/lampyris-config.cmake
                   ${CMAKE_BINARY_DIR}/package/lampyris-config-version.cmake
                   ${CMAKE_SOURCE_DIR}/cmake/LampyrisLibraries.cmake DESTINATION ${LAMPYRIS_PACKAGE})

@@ -62,6 +62,8 @@ class [[nodiscard]] Result<void> {
 
 }  // namespace lampyris::core
 
+// TRY and TRY_VOID are the only names without LAMPYRIS_ that our headers define for the
+// preprocessor; check.h, which no other header includes, defines CHECK.
 #define LAMPYRIS_JOIN_(a, b) a##b
 #define LAMPYRIS_JOIN(a, b) LAMPYRIS_JOIN_(a, b)
 

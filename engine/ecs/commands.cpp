@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/check.h"
 #include "core/log.h"
 
 namespace lampyris::ecs {

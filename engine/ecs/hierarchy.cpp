@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/check.h"
 #include "ecs/world.h"
 
 namespace lampyris::ecs {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/check.h"
+
 namespace lampyris::ecs {
 
 using nlohmann::json;

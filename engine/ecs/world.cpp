@@ -1,5 +1,7 @@
 #include "ecs/world.h"
 
+#include "core/check.h"
+
 namespace lampyris::ecs {
 
 Entity World::create() {

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "core/check.h"
 #include "ecs/world.h"
 
 namespace lampyris::ecs {

@@ -27,6 +27,24 @@ const char* missingHandle(const AdoptedDevice& made) {
     return made.madeWith == nullptr ? "madeWith" : nullptr;
 }
 
+/// Queues with flags of their own are got by another call, and are not looked at.
+uint32_t plainQueues(const VkDeviceCreateInfo& madeWith, uint32_t family) {
+    for (uint32_t i = 0; i < madeWith.queueCreateInfoCount; ++i) {
+        const VkDeviceQueueCreateInfo& queues = madeWith.pQueueCreateInfos[i];
+        if (queues.queueFamilyIndex == family && queues.flags == 0) return queues.queueCount;
+    }
+    return 0;
+}
+
+bool isOneOf(VkQueue queue, VkDevice device, uint32_t family, uint32_t count) {
+    for (uint32_t i = 0; i < count; ++i) {
+        VkQueue made = VK_NULL_HANDLE;
+        vkGetDeviceQueue(device, family, i, &made);
+        if (made == queue) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 void readFeatures(const VkDeviceCreateInfo& madeWith, FeatureChain& enabled) {
@@ -77,6 +95,12 @@ core::Result<void> checkAdopted(const AdoptedDevice& made) {
     if (!suits(made.physical, made.queueFamily))
         return core::error("{}: queues of family {} do not do graphics and compute with timestamps",
                            name, made.queueFamily);
+    const uint32_t queues = plainQueues(*made.madeWith, made.queueFamily);
+    if (queues == 0)
+        return core::error("{}: was made without a queue of family {} (with no flags)", name,
+                           made.queueFamily);
+    if (!isOneOf(made.queue, made.device, made.queueFamily, queues))
+        return core::error("{}: AdoptedDevice::queue is none of family {}", name, made.queueFamily);
     FeatureChain enabled;
     readFeatures(*made.madeWith, enabled);
     if (const auto missing = missingFeature(enabled))

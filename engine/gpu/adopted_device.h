@@ -22,11 +22,11 @@ struct AdoptedDevice {
     VkInstance instance = VK_NULL_HANDLE;  ///< of Vulkan 1.3 (VkApplicationInfo::apiVersion)
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE;
-    VkQueue queue =
-        VK_NULL_HANDLE;        ///< of `queueFamily`; nobody else uses it during a call of ours
+    /// Of `queueFamily`, made without flags; nobody else uses it during a call of ours.
+    VkQueue queue = VK_NULL_HANDLE;
     uint32_t queueFamily = 0;  ///< graphics and compute, with timestamps
     /// What vkCreateDevice was given: features are read from pNext and pEnabledFeatures, extensions
-    /// from their list. Read by adopt() alone, so it need not outlive it.
+    /// and queues from their lists. Read by adopt() alone, so it need not outlive it.
     const VkDeviceCreateInfo* madeWith = nullptr;
     bool debugUtils = false;  ///< the instance has VK_EXT_debug_utils: for names and labels
 };
@@ -38,7 +38,7 @@ void readFeatures(const VkDeviceCreateInfo& madeWith, FeatureChain& enabled);
 /// Whether the device was made with an extension.
 [[nodiscard]] bool hasExtension(const VkDeviceCreateInfo& madeWith, const char* name);
 
-/// An Error names the handle, version, queue ability, feature or limit that is missing.
+/// An Error names the handle, version, queue, queue ability, feature or limit that is missing.
 core::Result<void> checkAdopted(const AdoptedDevice& made);
 
 }  // namespace lampyris::gpu

@@ -1,4 +1,5 @@
-/// \file The monitors of the display, for those who ask before they open a window.
+/// \file The monitors of the display, for those who ask before they open a window. GLFW is ended
+/// again where it was not begun before (window.h).
 #pragma once
 
 #include <cstdint>

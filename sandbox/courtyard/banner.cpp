@@ -2,6 +2,7 @@
 // above it.
 #include <utility>
 
+#include "core/check.h"
 #include "courtyard/floor_plan.h"
 #include "courtyard/forms.h"
 #include "courtyard/movements.h"

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/check.h"
 #include "courtyard/floor_plan.h"
 #include "courtyard/forms.h"
 #include "courtyard/movements.h"

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/check.h"
 #include "scene/spawn.h"
 
 namespace lampyris::courtyard {

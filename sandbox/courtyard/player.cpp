@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/check.h"
 #include "courtyard/floor_plan.h"
 #include "courtyard/forms.h"
 #include "courtyard/lanterns.h"

@@ -88,6 +88,16 @@ class Library : public testing::Test {
         return command;
     }
 
+    /// A game of these lines alone.
+    [[nodiscard]] Ran configure(const std::string& lines) const {
+        fs::create_directories(game_);
+        std::ofstream(game_ / "CMakeLists.txt")
+            << "cmake_minimum_required(VERSION 3.25)\nproject(game LANGUAGES CXX)\n"
+            << lines;
+        return run({LAMPYRIS_CMAKE, "-G", "Ninja", "-S", game_, "-B", game_ / "build",
+                    "-DCMAKE_PREFIX_PATH=" + prefix_.string(), kCompilerOption});
+    }
+
     ScratchFolder scratch_;
     fs::path prefix_ = scratch_ / "prefix";
     fs::path game_ = scratch_ / "game";
@@ -117,14 +127,26 @@ TEST(Minimal, IsNotLongerThanPromised) {
 }
 
 TEST_F(Library, SaysWhichFolderIsNotThere) {
-    fs::create_directories(game_);
-    std::ofstream(game_ / "CMakeLists.txt")
-        << "cmake_minimum_required(VERSION 3.25)\nproject(game LANGUAGES CXX)\n"
-        << "find_package(lampyris 0.1 CONFIG REQUIRED COMPONENTS ecs no_such_folder)\n";
-    const Ran ran = run({LAMPYRIS_CMAKE, "-G", "Ninja", "-S", game_, "-B", game_ / "build",
-                         "-DCMAKE_PREFIX_PATH=" + prefix_.string(), kCompilerOption});
+    const Ran ran =
+        configure("find_package(lampyris 0.1 CONFIG REQUIRED COMPONENTS ecs no_such_folder)\n");
     EXPECT_NE(ran.code, 0);
     EXPECT_NE(ran.err.find("no_such_folder"), std::string::npos) << ran.err;
+}
+
+// Before 1.0 another minor version is another library.
+TEST_F(Library, IsNoOtherMinorVersion) {
+    const Ran ran = configure("find_package(lampyris 0.0.9 CONFIG REQUIRED)\n");
+    EXPECT_NE(ran.code, 0);
+    EXPECT_NE(ran.err.find("0.0.9"), std::string::npos) << ran.err;
+}
+
+TEST_F(Library, LeavesAGamesVariablesAsTheyAre) {
+    const Ran ran = configure(
+        "set(libraries mine)\nset(missing mine)\nset(name mine)\n"
+        "find_package(lampyris 0.1 CONFIG REQUIRED)\n"
+        "if(NOT \"${libraries} ${missing} ${name}\" STREQUAL \"mine mine mine\")\n"
+        "  message(FATAL_ERROR \"${libraries} ${missing} ${name}\")\nendif()\n");
+    EXPECT_EQ(ran.code, 0) << ran.err;
 }
 
 TEST_F(Library, IsFoundByPkgConfig) {
@@ -134,12 +156,33 @@ TEST_F(Library, IsFoundByPkgConfig) {
     EXPECT_GT(litShare(pictureOf(picture)), 0.2);
 }
 
+// Each archive whole, in its place: what it needs stands behind it.
+TEST_F(Library, HasItsArchivesInTheOrderOfTheirNeeds) {
+    const fs::path source = scratch_ / "empty.cpp";
+    std::ofstream(source) << "int main() {}\n";
+    const Arguments all = compilation(source, {"-o", scratch_ / "empty"});
+    size_t archives = 0;
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (!all[i].starts_with("-llampyris_")) continue;
+        Arguments command = all;
+        command[i] = "-Wl,--whole-archive," + all[i] + ",--no-whole-archive";
+        succeed(command);
+        ++archives;
+    }
+    EXPECT_GT(archives, 15u);
+}
+
 TEST_F(Library, HasEveryHeaderThatItsHeadersInclude) {
     const fs::path headers = prefix_ / "include/lampyris";
     std::ofstream all(scratch_ / "all.cpp");
+    const auto ownPlace = [](const fs::path& name) {
+        return name == "world_inline.h" || name == "check.h";
+    };
     for (const auto& entry : fs::recursive_directory_iterator(headers))
-        if (entry.is_regular_file() && entry.path().filename() != "world_inline.h")
+        if (entry.is_regular_file() && !ownPlace(entry.path().filename()))
             all << "#include \"" << entry.path().lexically_relative(headers).string() << "\"\n";
+    all << "#ifdef CHECK\n#error \"doctest, Catch2 and glog have a CHECK of their own\"\n#endif\n"
+        << "#include \"core/check.h\"\n";
     all.close();
     succeed(compilation(scratch_ / "all.cpp", {"-fsyntax-only"}));
 }

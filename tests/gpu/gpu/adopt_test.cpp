@@ -87,6 +87,25 @@ TEST_F(AdoptTest, NamesTheQueueFamilyThatDoesNotSuit) {
     made_.queueFamily = queue_.queueFamilyIndex;
 }
 
+TEST_F(AdoptTest, TakesNoQueueThatTheDeviceWasNotMadeWith) {
+    gpu::AdoptedDevice made = made_;
+    made.queue = test::sharedDevice().value()->queue();  // another device's
+    EXPECT_NE(errorOf(gpu::Device::adopt(made)).find("AdoptedDevice::queue is none of family"),
+              std::string::npos);
+    made = made_;
+    VkDeviceCreateInfo info = info_;
+    made.madeWith = &info;
+    info.queueCreateInfoCount = 0;
+    EXPECT_NE(errorOf(gpu::Device::adopt(made)).find("without a queue of family"),
+              std::string::npos);
+    info.queueCreateInfoCount = 1;
+    VkDeviceQueueCreateInfo queue = queue_;
+    info.pQueueCreateInfos = &queue;
+    queue.flags = VK_DEVICE_QUEUE_CREATE_PROTECTED_BIT;
+    EXPECT_NE(errorOf(gpu::Device::adopt(made)).find("without a queue of family"),
+              std::string::npos);
+}
+
 TEST_F(AdoptTest, NamesTheFeatureThatIsOff) {
     gpu::FeatureChain features;
     gpu::chooseFeatures(made_.physical, features);
