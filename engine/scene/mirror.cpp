@@ -1,6 +1,9 @@
 #include "scene/mirror.h"
 
+#include <unordered_set>
+
 #include "core/check.h"
+#include "ecs/hierarchy.h"
 
 namespace lampyris::scene {
 namespace {
@@ -39,21 +42,41 @@ bool assumeName(ecs::World& world, ecs::Entity entity, std::string_view wanted) 
     return true;
 }
 
+/// Makes roots of those below an entity that outlive it.
+void release(ecs::World& world, ecs::Entity above, const std::unordered_set<ecs::Entity>& staying) {
+    const auto span = ecs::childrenOf(world, above);
+    for (const ecs::Entity child : std::vector<ecs::Entity>(span.begin(), span.end()))
+        if (staying.contains(child))
+            ecs::clearParent(world, child);
+        else
+            release(world, child, staying);
+}
+
 }  // namespace
 
 Mirror::Counts Mirror::follow(ecs::World& world, const EntitySource& source) {
     ++round_;
     Counts counts;
     source.forEach([&](const EntityState& state) { show(world, state, counts); });
+    std::vector<ecs::Entity> gone;
     for (auto each = known_.begin(); each != known_.end();) {
-        const bool gone = each->second.round != round_;
-        if (gone) {
-            world.destroy(each->second.entity);
-            ++counts.removed;
-        }
-        each = gone ? known_.erase(each) : std::next(each);
+        const bool left = each->second.round != round_;
+        if (left) gone.push_back(each->second.entity);
+        each = left ? known_.erase(each) : std::next(each);
     }
+    if (!gone.empty()) remove(world, gone);
+    counts.removed = static_cast<uint32_t>(gone.size());
     return counts;
+}
+
+void Mirror::remove(ecs::World& world, const std::vector<ecs::Entity>& gone) const {
+    std::unordered_set<ecs::Entity> staying;
+    for (const auto& [id, known] : known_) staying.insert(known.entity);
+    for (const ecs::Entity entity : gone) {
+        if (!world.alive(entity)) continue;
+        release(world, entity, staying);
+        world.destroy(entity);
+    }
 }
 
 void Mirror::show(ecs::World& world, const EntityState& state, Counts& counts) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "ecs/world.h"
 #include "scene/components.h"
@@ -15,7 +16,10 @@ namespace lampyris::scene {
 
 /// One thing of the game as it is now. What it has not got is left empty.
 struct EntityState {
-    uint64_t id = 0;          ///< the game's own number: of this thing alone, as long as it lives
+    /// The game's own number: of this thing alone, as long as it lives. One that another thing has
+    /// at the very next follow() stands for the same entity, which keeps the Skin, MorphWeights and
+    /// parent of the former.
+    uint64_t id = 0;
     std::string_view name{};  ///< a camera is found by it
     Transform transform{};    ///< to the world; to the parent where the game gave it one there
     std::optional<MeshInstance> mesh{};
@@ -32,7 +36,8 @@ class EntitySource {
 };
 
 /// The entities that stand for a source's things in one world. They are the world's like all
-/// others: a Skin, MorphWeights or a parent that the game gives one of them stays.
+/// others: a Skin, MorphWeights or a parent that the game gives one of them stays; one whose parent
+/// leaves while it is still shown goes on without. What else hangs on an entity goes with it.
 class Mirror {
  public:
     struct Counts {
@@ -59,6 +64,8 @@ class Mirror {
         uint64_t round = 0;  ///< in which it was last shown
     };
     void show(ecs::World& world, const EntityState& state, Counts& counts);
+    /// Destroys entities, but none that is still known.
+    void remove(ecs::World& world, const std::vector<ecs::Entity>& gone) const;
 
     std::unordered_map<uint64_t, Known> known_;
     uint64_t round_ = 0;

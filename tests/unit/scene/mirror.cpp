@@ -133,6 +133,39 @@ TEST_F(MirrorTest, WhatTheGameAddsToAnEntityStays) {
     EXPECT_TRUE(world.has<MorphWeights>(mirror.entityOf(7)));
 }
 
+TEST_F(MirrorTest, WhatIsStillShownOutlivesItsParent) {
+    const ecs::Entity parent = mirror.entityOf(1ull << 40);
+    const ecs::Entity child = mirror.entityOf(7);
+    const ecs::Entity below = mirror.entityOf(9);
+    const ecs::Entity between = spawn(world, "the game's own");
+    const ecs::Entity eye = mirror.entityOf(0);
+    ASSERT_TRUE(ecs::setParent(world, child, parent).ok());
+    ASSERT_TRUE(ecs::setParent(world, below, child).ok());
+    ASSERT_TRUE(ecs::setParent(world, between, parent).ok());
+    ASSERT_TRUE(ecs::setParent(world, eye, between).ok());
+    follow();
+    storage.states.erase(storage.states.begin());
+    EXPECT_EQ(follow(), (Mirror::Counts{.removed = 1}));
+    EXPECT_FALSE(world.alive(parent));
+    EXPECT_FALSE(world.alive(between));
+    for (const uint64_t id : {uint64_t{7}, uint64_t{9}, uint64_t{0}})
+        EXPECT_TRUE(world.alive(mirror.entityOf(id))) << id;
+    EXPECT_EQ(mirror.entityOf(7), child);
+    EXPECT_FALSE(ecs::parentOf(world, child).valid());
+    EXPECT_EQ(ecs::parentOf(world, below), child) << "a family that stays, stays together";
+    EXPECT_FALSE(ecs::parentOf(world, eye).valid());
+    EXPECT_EQ(now.instances.size(), 1u);
+    EXPECT_EQ(now.instances[0].objectToWorld[3].x, 5.0f);
+    EXPECT_EQ(follow(), Mirror::Counts{});
+}
+
+TEST_F(MirrorTest, ParentsAndChildrenLeaveTogether) {
+    ASSERT_TRUE(ecs::setParent(world, mirror.entityOf(7), mirror.entityOf(1ull << 40)).ok());
+    storage.states.erase(storage.states.begin(), storage.states.begin() + 2);
+    EXPECT_EQ(follow(), (Mirror::Counts{.removed = 2}));
+    EXPECT_EQ(world.entityCount(), 2u);
+}
+
 TEST_F(MirrorTest, AnEntityThatSomebodyDestroyedComesBack) {
     world.destroy(mirror.entityOf(7));
     EXPECT_EQ(follow(), (Mirror::Counts{.added = 1}));
