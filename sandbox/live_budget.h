@@ -27,7 +27,8 @@ class LiveBudget {
     void learn(const LoopFrame& frame);
 
     [[nodiscard]] std::optional<photon_gi::BudgetState> state() const;
-    /// For a window's title: " of 12.0 ms, paths 2500 → 900"; empty without a budget.
+    /// For a window's title: ", indirect light 11.8 of 12.0 ms, paths 900 instead of 2500"; empty
+    /// without a budget.
     [[nodiscard]] std::string text() const;
 
  private:

@@ -22,6 +22,9 @@ constexpr std::array kEvidence{Evidence{6, 0.15}, Evidence{10, 0.1}, Evidence{16
 // more steeply than the model does.
 constexpr double kGain = 0.75;
 constexpr double kMostDown = 0.6, kMostUp = 1.4;  // of the cost, in one move
+// [chosen] A step back that is wider than that is taken all the same where three quarters of the
+// way lead so far beyond it: devices that follow settings more steeply would hunt there.
+constexpr double kStepSpare = 1.05;
 // [chosen] Standard errors of the median that a cost must be off besides: a machine that others use
 // as well trembles more than one that does nothing else.
 constexpr double kDeviations = 2.0;
@@ -45,13 +48,35 @@ double standardError(const std::vector<double>& values) {
            (median * std::sqrt(static_cast<double>(values.size())));
 }
 
+/// Whether there is something that a budget steers.
+bool steers(const Settings& s) {
+    return finalGathers(s) && s.maxBounces > 0 && s.photonPaths > 0;
+}
+
+/// Whether the way down is the same.
+bool sameWay(const Settings& a, const Settings& b) {
+    return a.photonPaths == b.photonPaths && a.radiusMetres == b.radiusMetres &&
+           a.gatherRays == b.gatherRays && a.gatherDivisor == b.gatherDivisor;
+}
+
+/// Whether indirect light costs the same with both.
+bool sameCost(Settings before, const Settings& now) {
+    before.seed = now.seed;
+    before.history = now.history;
+    before.lightCutoff = now.lightCutoff;
+    before.shadows = now.shadows;
+    before.shadowDivisor = now.shadowDivisor;
+    before.shadowRays = now.shadowRays;
+    return before == now;
+}
+
 }  // namespace
 
 std::string whatWasGivenUp(const Settings& asked, const Settings& given) {
     std::string text;
     const auto add = [&](const char* what, const std::string& was, const std::string& is) {
         if (was == is) return;
-        text += fmt::format("{}{} {} → {}", text.empty() ? "" : ", ", what, was, is);
+        text += fmt::format("{}{} {} instead of {}", text.empty() ? "" : ", ", what, is, was);
     };
     const auto whole = [](uint32_t number) { return fmt::format("{}", number); };
     add("paths", whole(asked.photonPaths), whole(given.photonPaths));
@@ -85,24 +110,39 @@ double Budget::errorOf(size_t frames) const {
 
 void Budget::follow(const Settings& asked, graph::Extent size) {
     if (curve_ && asked == asked_ && size == size_) return;
-    if (asked != asked_) place_ = {};  // its steps were others
+    const bool alike = curve_ && size == size_ && sameCost(asked_, asked);
+    if (!sameWay(asked_, asked)) place_ = {};  // its steps were others
     asked_ = asked;
     size_ = size;
     curve_.emplace(asked, size);
-    factors_.clear();
+    // Factors to the model carry over; those of a few frames are kept until there are more, so that
+    // a size that changes all the time is learned from too.
+    if (!alike && factors_.size() >= kEvidence.front().frames) {
+        known_ = factorsOf(factors_.size());
+        factors_.clear();
+    }
     if (!known_) return;
     curve_->setFactors(*known_);
-    moveTo(curve_->find(wanted_, place_));
+    if (!alike) moveTo(curve_->find(wanted_, place_));
 }
 
-void Budget::moveTo(const Place& place) {
-    if (place == place_) return;
-    factors_.clear();
-    toSkip_ = kFramesOfChange;
+bool Budget::moveTo(const Place& place) {
+    if (place == place_) return false;
     const uint32_t divisor = curve_->settingsAt(place_).gatherDivisor;
     place_ = place;
     ++changes_;
     if (curve_->settingsAt(place_).gatherDivisor != divisor) ++begun_;
+    return true;
+}
+
+double Budget::targetFrom(double now) const {
+    const double factor = std::pow(wanted_ / now, kGain);
+    const double target = std::clamp(factor, kMostDown, kMostUp) * now;
+    if (place_.share < 1.0 || place_.level == 0) return target;
+    // Where rays cost far more than paths, no move would ever reach the step back.
+    const double back = curve_->costOfStepBack(place_.level);
+    if (factor * now <= kStepSpare * back) return target;
+    return std::max(target, std::nextafter(back, 2.0 * back));
 }
 
 void Budget::steer() {
@@ -112,14 +152,15 @@ void Budget::steer() {
         curve_->setFactors(*known_);
         const double now = curve_->costAt(place_);
         if (std::abs(now / wanted_ - 1.0) <= std::max(off, kDeviations * errorOf(frames))) continue;
-        const double factor = std::clamp(std::pow(wanted_ / now, kGain), kMostDown, kMostUp);
-        moveTo(curve_->find(factor * now, place_));
+        if (!moveTo(curve_->find(targetFrom(now), place_))) return;
+        factors_.clear();
+        toSkip_ = kFramesOfChange;
         return;
     }
 }
 
 Settings Budget::next(const Settings& asked, graph::Extent size) {
-    if (!finalGathers(asked) || asked.maxBounces == 0) {
+    if (!steers(asked)) {
         curve_.reset();
         asked_ = asked;
         return asked;
@@ -130,7 +171,7 @@ Settings Budget::next(const Settings& asked, graph::Extent size) {
 }
 
 void Budget::learn(const IndirectCost& cost) {
-    if (!curve_ || cost.sum() <= 0.0) return;
+    if (!curve_ || !(cost.sum() > 0.0) || !std::isfinite(cost.sum())) return;
     if (toSkip_ > 0) {
         --toSkip_;
         return;

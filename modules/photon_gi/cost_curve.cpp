@@ -87,10 +87,12 @@ Place CostCurve::find(double cost, const Place& from) const {
     size_t level = std::min(from.level, steps_.size() - 1);
     while (pays(level) && cost < costAt({level, kStepShare})) ++level;
     if (level <= from.level)
-        while (level > 0 && cost > costAt({level, 1.0}) &&
-               cost > kSpare * costAt({level - 1, kStepShare}))
-            --level;
+        while (level > 0 && cost > costAt({level, 1.0}) && cost > costOfStepBack(level)) --level;
     return {level, shareFor(level, cost)};
+}
+
+double CostCurve::costOfStepBack(size_t level) const {
+    return kSpare * costAt({level - 1, kStepShare});
 }
 
 Place CostCurve::least() const {

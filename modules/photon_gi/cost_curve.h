@@ -33,6 +33,9 @@ class CostCurve {
     /// share of the paths was given up, and back up only where all were given back: a cost that
     /// wavers changes paths alone, which the mean over frames does not mind.
     [[nodiscard]] Place find(double cost, const Place& from) const;
+    /// The cost beyond which find() takes the step to a level back, from all its paths. Level 0 has
+    /// none.
+    [[nodiscard]] double costOfStepBack(size_t level) const;
     /// The last place that is worth going to: a coarser resolution may cost more than it saves.
     [[nodiscard]] Place least() const;
     [[nodiscard]] bool isLeast(const Place& place) const;

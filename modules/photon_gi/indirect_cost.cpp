@@ -4,18 +4,19 @@
 
 namespace lampyris::photon_gi {
 
-bool isIndirect(std::string_view nodeName) {
-    return std::none_of(kNotIndirect.begin(), kNotIndirect.end(),
-                        [&](std::string_view start) { return nodeName.starts_with(start); });
+bool isIndirect(const std::string& nodeName) {
+    const std::string name = execute::reportedName(nodeName);
+    return std::find(kIndirect.begin(), kIndirect.end(), name) != kIndirect.end();
 }
 
 IndirectCost indirectCost(const execute::FrameStatistics& frame) {
     IndirectCost cost;
     for (const execute::NodeTime& node : frame.nodes) {
         if (!isIndirect(node.name)) continue;
-        double& part = node.name.starts_with("gather")     ? cost.gather
-                       : node.name.starts_with("upsample") ? cost.upsample
-                                                           : cost.photons;
+        const std::string name = execute::reportedName(node.name);
+        double& part = name == "gather"     ? cost.gather
+                       : name == "upsample" ? cost.upsample
+                                            : cost.photons;
         part += node.gpuMilliseconds;
     }
     return cost;

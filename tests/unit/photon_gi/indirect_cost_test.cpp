@@ -24,5 +24,14 @@ TEST(IndirectCost, CountsAllButSurfacesDirectLightAndUpkeep) {
     EXPECT_EQ(cost.sum(), 31.0);
 }
 
+// Nodes that a program adds between declare() and run() drive no budget, whatever they are called.
+TEST(IndirectCost, KnowsNoNodesButItsOwn) {
+    execute::FrameStatistics frame;
+    for (const char* name : {"fog", "screenshot", "gather_leaves", "upsampled", "photon",
+                             "tile_bins", "show/edges", "", "my/gather"})
+        frame.nodes.push_back({name, 1000.0, 0.0});
+    EXPECT_EQ(indirectCost(frame).sum(), 0.0);
+}
+
 }  // namespace
 }  // namespace lampyris::photon_gi
