@@ -262,7 +262,12 @@ core::Result<Renderer::Outcome> Renderer::draw(const scene::SceneSnapshot& snaps
                                                const std::string& outputNode) {
     TRY_VOID(update(snapshot));
     graph::Frame frame;
-    TRY(const DrawnFrame drawn, declare(frame, request));
+    TRY(DrawnFrame drawn, declare(frame, request));
+    if (drawn_.keptFinal) {  // rests as what is kept does, which no caller need know
+        auto node = frame.transfer("composite/copy");
+        drawn.radiance =
+            node.copy(drawn.radiance, frame.image("radiance", frame.desc(drawn.radiance)));
+    }
     frame.output(drawn.radiance);
     return run(frame, drawn, outputNode);
 }

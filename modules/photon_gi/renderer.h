@@ -55,8 +55,11 @@ class Renderer {
         execute::FrameStatistics statistics;
         graph::CompiledGraph graph;
         FrameReport report;
-        core::Image image;      ///< what `outputNode` named; empty where it was empty
-        graph::Image radiance;  ///< the picture on the device, for Executor::outputImage
+        core::Image image;  ///< what `outputNode` named; empty where it was empty
+        /// The picture on the device, RGBA16F, for Executor::outputImage. It is in the layout
+        /// TRANSFER_SRC_OPTIMAL after draw(); after run() of a frame declared with `finalAlone` it
+        /// may be one that is kept, in SHADER_READ_ONLY_OPTIMAL.
+        graph::Image radiance;
     };
     /// Compiles and runs a declared frame and reads its report back; grows the room where it was
     /// too small.
@@ -65,7 +68,8 @@ class Renderer {
 
     /// The next frame begins anew: what earlier ones left was made by other shaders.
     void forget();
-    /// update(), declare() and run() for a program that adds no nodes of its own.
+    /// update(), declare() and run() for a program that adds no nodes of its own. A picture that is
+    /// kept is copied, so that all rest alike.
     core::Result<Outcome> draw(const scene::SceneSnapshot& snapshot, const FrameRequest& request,
                                const std::string& outputNode = {});
 
