@@ -4,6 +4,7 @@
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 
+#include <cstring>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -13,8 +14,10 @@
 namespace lampyris::shader_reload {
 namespace {
 
-// [chosen] A file that includes itself ends here, long before memory does.
+// [chosen] A file that includes itself ends here, long before memory does; one that does so twice
+// would end after 2³² steps, and ends at so many.
 constexpr size_t kMostIncludesDeep = 32;
+constexpr size_t kMostIncludes = 1000;
 constexpr int kDefaultVersion = 100;  // of a file that names none, as glslangValidator has it
 
 /// glslang's tables, made at the first use and kept to the program's end.
@@ -45,13 +48,19 @@ class Includer : public glslang::TShader::Includer {
     explicit Includer(const std::filesystem::path& folder) : folder_(folder) {}
 
     IncludeResult* includeLocal(const char* name, const char* includer, size_t depth) override {
-        if (depth > kMostIncludesDeep) return nullptr;
+        ++count_;
+        if (refusal(depth) != nullptr) return nullptr;
         for (const std::string& file : includeCandidates(includer, name))
             if (auto text = textOf(folder_ / file)) {
                 auto* const kept = new std::string(std::move(*text));
                 return new IncludeResult(file, kept->data(), kept->size(), kept);
             }
         return nullptr;
+    }
+    /// Asked where includeLocal() found nothing. Without a name, the text is the error.
+    IncludeResult* includeSystem(const char*, const char*, size_t depth) override {
+        const char* const why = refusal(depth);
+        return why == nullptr ? nullptr : new IncludeResult("", why, std::strlen(why), nullptr);
     }
     void releaseInclude(IncludeResult* result) override {
         if (result == nullptr) return;
@@ -60,7 +69,15 @@ class Includer : public glslang::TShader::Includer {
     }
 
  private:
+    [[nodiscard]] const char* refusal(size_t depth) const {
+        if (count_ > kMostIncludes) return "more than 1000 includes: does a file include itself?";
+        if (depth > kMostIncludesDeep)
+            return "includes more than 32 deep: does a file include itself?";
+        return nullptr;
+    }
+
     const std::filesystem::path& folder_;
+    size_t count_ = 0;
 };
 
 /// Whether a message begins with "file:12:".

@@ -1,11 +1,18 @@
 #include "shader_reload/interface_check.h"
 
 #include <algorithm>
+#include <array>
 
 #include "embed/reflection.h"
 
 namespace lampyris::shader_reload {
 namespace {
+
+// Every device has as much (Vulkan's least maxComputeSharedMemorySize).
+constexpr uint64_t kSharedBytesEverywhere = 16384;
+// Matrix, Shader, Sampled1D, Image1D, SampledBuffer, ImageBuffer, ImageQuery, DerivativeControl:
+// capabilities of SPIR-V that every device of Vulkan 1.3 has.
+constexpr std::array<uint32_t, 8> kCapabilitiesEverywhere{0, 1, 43, 44, 46, 47, 50, 51};
 
 const char* name(graph::SlotKind kind) {
     switch (kind) {
@@ -60,6 +67,48 @@ core::Result<void> checkSlots(std::span<const graph::ShaderSlot> built,
     return {};
 }
 
+const embed::StageValue* at(const std::vector<embed::StageValue>& values, uint32_t location) {
+    const auto found = std::find_if(values.begin(), values.end(),
+                                    [&](const auto& value) { return value.location == location; });
+    return found == values.end() ? nullptr : &*found;
+}
+
+/// Each of `some` must be among `all` with its type.
+core::Result<void> checkAmong(const char* what, const std::vector<embed::StageValue>& some,
+                              const std::vector<embed::StageValue>& all, const char* otherwise) {
+    for (const embed::StageValue& one : some) {
+        const embed::StageValue* other = at(all, one.location);
+        if (other == nullptr)
+            return core::error("{} {} ({}) is {}", what, one.location, one.name, otherwise);
+        if (other->type != one.type)
+            return core::error("{} {} ({}): {} and {} differ", what, one.location, one.name,
+                               one.type, other->type);
+    }
+    return {};
+}
+
+/// What comes in was bound, or handed on by the stage before; what goes out is taken.
+core::Result<void> checkStages(const embed::Reflection& was, const embed::Reflection& is) {
+    TRY_VOID(checkAmong("input", is.inputs, was.inputs, "new; nothing gives it"));
+    TRY_VOID(checkAmong("output", is.outputs, was.outputs, "new; nothing takes it"));
+    return checkAmong("output", was.outputs, is.outputs, "gone; the program takes it");
+}
+
+core::Result<void> checkDevice(const embed::Reflection& was, const embed::Reflection& is) {
+    const auto has = [](const auto& all, uint32_t one) {
+        return std::find(all.begin(), all.end(), one) != all.end();
+    };
+    for (const uint32_t capability : is.capabilities)
+        if (!has(was.capabilities, capability) && !has(kCapabilitiesEverywhere, capability))
+            return core::error("it needs SPIR-V's capability {}; the program did not ask for it",
+                               capability);
+    const uint64_t most = std::max(was.sharedBytes, kSharedBytesEverywhere);
+    if (is.sharedBytes > most)
+        return core::error("its workgroup shares {} bytes; {} are sure to be there", is.sharedBytes,
+                           most);
+    return {};
+}
+
 }  // namespace
 
 core::Result<void> checkInterface(const graph::Shader& built, std::span<const uint32_t> words) {
@@ -78,6 +127,12 @@ core::Result<void> checkInterface(const graph::Shader& built, std::span<const ui
     if (reflection->pushConstantBytes != built.pushConstantBytes)
         return core::error("{}: it takes {} bytes of push constants; the program gives {}",
                            built.source, reflection->pushConstantBytes, built.pushConstantBytes);
+    const auto before = embed::reflect(built.words);
+    if (!before.ok()) return fail(before.error());
+    const auto stages = checkStages(*before, *reflection);
+    if (!stages.ok()) return fail(stages.error());
+    const auto device = checkDevice(*before, *reflection);
+    if (!device.ok()) return fail(device.error());
     return {};
 }
 

@@ -10,8 +10,9 @@
 
 namespace lampyris::shader_reload {
 
-/// An Error names the slot (its number and name), the workgroup's size or the push constants that
-/// differ. Names of slots may change.
+/// An Error names the slot or the stage's value (number and name), the workgroup's size, the push
+/// constants that differ, or what not every device has. Names may change, and inputs of a stage may
+/// go; what shares memory may share less.
 core::Result<void> checkInterface(const graph::Shader& built, std::span<const uint32_t> words);
 
 }  // namespace lampyris::shader_reload

@@ -1,9 +1,12 @@
 #include "shader_reload/shader_reloader.h"
 
+#include <algorithm>
 #include <atomic>
 #include <future>
 #include <map>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "shader_reload/compile_shader.h"
 #include "shader_reload/interface_check.h"
@@ -20,6 +23,18 @@ constexpr auto kBetweenLooks = std::chrono::milliseconds(250);  // [chosen] unse
 struct Compiled {
     const graph::Shader* shader = nullptr;
     core::Result<std::vector<uint32_t>> words;
+};
+
+using Words = std::vector<uint32_t>;
+
+/// Shaders of which one cannot be used, and those that changed with it and wait for it.
+struct Held {
+    std::map<const graph::Shader*, Words> waiting;
+    std::map<const graph::Shader*, std::string> broken;  ///< and why
+
+    [[nodiscard]] bool has(const graph::Shader* shader) const {
+        return waiting.contains(shader) || broken.contains(shader);
+    }
 };
 
 /// Of shaders whose files were seen to change in the same look.
@@ -46,6 +61,8 @@ struct ShaderReloader::Parts {
     Clock::time_point lastLook{};
     std::atomic<bool> ends = false;
     std::optional<Batch> batch;
+    std::vector<Held> held;
+    std::map<const graph::Shader*, Words> replaced;  ///< what runs in the build's place
 
     explicit Parts(const std::filesystem::path& path) : folder(path), files(path) {}
     Parts(const Parts&) = delete;
@@ -55,6 +72,10 @@ struct ShaderReloader::Parts {
     void follow(const execute::Executor& executor);
     void look();
     void start(const std::set<std::string>& changed);
+    /// What was held together with these, and these.
+    Held takeHeld(const std::vector<Compiled>& changed);
+    /// All of them, or none: the one that the device refuses is broken then.
+    void replaceAll(execute::Executor& executor, Held& together);
     std::vector<ShaderStatus> putIn(execute::Executor& executor);
 };
 
@@ -89,23 +110,74 @@ void ShaderReloader::Parts::start(const std::set<std::string>& changed) {
     batch = Batch{Clock::now(), std::async(std::launch::async, work)};
 }
 
-std::vector<ShaderStatus> ShaderReloader::Parts::putIn(execute::Executor& executor) {
-    std::vector<ShaderStatus> settled;
-    for (const Compiled& compiled : batch->compiled.get()) {
-        ShaderStatus& status = shaders.at(compiled.shader);
-        const auto put = compiled.words.ok()
-                             ? executor.replaceShader(*compiled.shader, *compiled.words)
-                             : core::Result<void>{compiled.words.error()};
-        status.state = put.ok() ? ShaderState::Ok : ShaderState::Broken;
-        status.error = put.ok() ? std::string{} : put.error().message;
+Held ShaderReloader::Parts::takeHeld(const std::vector<Compiled>& changed) {
+    Held together;
+    std::erase_if(held, [&](Held& one) {
+        if (std::none_of(changed.begin(), changed.end(),
+                         [&](const Compiled& compiled) { return one.has(compiled.shader); }))
+            return false;
+        together.waiting.merge(one.waiting);
+        together.broken.merge(one.broken);
+        return true;
+    });
+    for (const Compiled& compiled : changed) {
+        together.waiting.erase(compiled.shader);
+        together.broken.erase(compiled.shader);
+        if (compiled.words.ok())
+            together.waiting.emplace(compiled.shader, *compiled.words);
+        else
+            together.broken.emplace(compiled.shader, compiled.words.error().message);
+    }
+    return together;
+}
+
+void ShaderReloader::Parts::replaceAll(execute::Executor& executor, Held& together) {
+    std::vector<const graph::Shader*> done;
+    for (const auto& [shader, words] : together.waiting) {
+        const auto put = executor.replaceShader(*shader, words);
         if (put.ok()) {
-            const std::chrono::duration<double, std::milli> taken = Clock::now() - batch->noticed;
-            status.milliseconds = taken.count();
-            ++status.reloads;
+            done.push_back(shader);
+            continue;
         }
+        together.broken.emplace(shader, put.error().message);
+        for (const graph::Shader* other : done) {
+            const auto before = replaced.find(other);
+            const std::span<const uint32_t> old =
+                before == replaced.end() ? other->words : std::span<const uint32_t>(before->second);
+            const auto back = executor.replaceShader(*other, old);
+            if (!back.ok()) together.broken.emplace(other, back.error().message);
+        }
+        break;
+    }
+    for (const auto& [shader, error] : together.broken) together.waiting.erase(shader);
+}
+
+std::vector<ShaderStatus> ShaderReloader::Parts::putIn(execute::Executor& executor) {
+    const std::vector<Compiled> changed = batch->compiled.get();
+    Held together = takeHeld(changed);
+    if (together.broken.empty()) replaceAll(executor, together);
+    const std::chrono::duration<double, std::milli> taken = Clock::now() - batch->noticed;
+    batch.reset();
+    const bool whole = together.broken.empty();
+    std::vector<ShaderStatus> settled;
+    for (auto& [shader, words] : together.waiting) {
+        ShaderStatus& status = shaders.at(shader);
+        status.state = whole ? ShaderState::Ok : ShaderState::Waiting;
+        status.error.clear();
+        if (!whole) continue;
+        status.milliseconds = taken.count();
+        ++status.reloads;
+        replaced.insert_or_assign(shader, std::move(words));
         settled.push_back(status);
     }
-    batch.reset();
+    for (const auto& [shader, error] : together.broken) {
+        ShaderStatus& status = shaders.at(shader);
+        if (status.state == ShaderState::Broken && status.error == error) continue;  // as before
+        status.state = ShaderState::Broken;
+        status.error = error;
+        settled.push_back(status);
+    }
+    if (!whole) held.push_back(std::move(together));
     return settled;
 }
 

@@ -17,7 +17,8 @@ namespace lampyris::shader_reload {
 enum class ShaderState : uint8_t {
     Ok,
     Compiling,
-    Broken,  ///< its file cannot be used; the last words that could go on
+    Waiting,  ///< compiled, and held back until what changed with it can be used too
+    Broken,   ///< its file cannot be used; the last words that could go on
 };
 
 struct ShaderStatus {
@@ -38,9 +39,10 @@ class ShaderReloader {
     ~ShaderReloader();  ///< after the shader that is being compiled
 
     /// To be called between two frames: looks for files that changed, at most four times a second,
-    /// and puts in what was compiled since. Shaders that changed together go in together, those
-    /// that cannot stay as they were. Follows every shader that `executor` has run.
-    /// \return what became of shaders in this call; in most there is none
+    /// and puts in what was compiled since. Shaders that changed together go in together, or, where
+    /// one of them cannot be used, none does until it is mended. Follows every shader that
+    /// `executor` has run.
+    /// \return those put in or found broken in this call; in most there is none
     std::vector<ShaderStatus> update(execute::Executor& executor);
 
     /// Of all shaders followed.

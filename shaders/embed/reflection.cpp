@@ -139,6 +139,98 @@ Result<std::vector<Slot>> readSlots(const Module& module) {
     return slots;
 }
 
+std::string scalarOf(spvc_basetype type) {
+    switch (type) {
+        case SPVC_BASETYPE_FP32:
+            return "float";
+        case SPVC_BASETYPE_INT32:
+            return "int";
+        case SPVC_BASETYPE_UINT32:
+            return "uint";
+        default:
+            return fmt::format("type{}", static_cast<int>(type));
+    }
+}
+
+uint32_t elementsOf(const Module& module, spvc_type type, uint32_t dimension) {
+    const SpvId size = spvc_type_get_array_dimension(type, dimension);
+    if (spvc_type_array_dimension_is_literal(type, dimension) != SPVC_FALSE) return size;
+    const spvc_constant constant = spvc_compiler_get_constant_handle(module.compiler, size);
+    return constant == nullptr ? 1u : spvc_constant_get_scalar_u32(constant, 0, 0);
+}
+
+std::string typeName(const Module& module, spvc_type type) {
+    const spvc_basetype base = spvc_type_get_basetype(type);
+    const uint32_t size = spvc_type_get_vector_size(type);
+    const uint32_t columns = spvc_type_get_columns(type);
+    std::string text = scalarOf(base);
+    if (columns > 1)
+        text = fmt::format("mat{}x{} of {}", columns, size, text);
+    else if (size > 1)
+        text = fmt::format("{}vec{}",
+                           base == SPVC_BASETYPE_FP32 ? "" : std::string(1, text.front()), size);
+    for (uint32_t i = spvc_type_get_num_array_dimensions(type); i-- > 0;)
+        text += fmt::format("[{}]", elementsOf(module, type, i));
+    return text;
+}
+
+std::vector<StageValue> readStage(const Module& module, spvc_resource_type which) {
+    std::vector<StageValue> values;
+    for (const auto& resource : module.list(which))
+        values.push_back({nameOf(module, resource),
+                          module.decoration(resource.id, SpvDecorationLocation),
+                          typeName(module, spvc_compiler_get_type_handle(module.compiler,
+                                                                         resource.type_id))});
+    return values;
+}
+
+struct Room {
+    uint64_t bytes = 0;
+    uint64_t alignment = 4;
+};
+
+uint64_t roundUp(uint64_t bytes, uint64_t alignment) {
+    return (bytes + alignment - 1) / alignment * alignment;
+}
+
+/// As in std430: drivers need no more.
+Room roomOf(const Module& module, spvc_type type) {
+    Room room;
+    if (spvc_type_get_basetype(type) == SPVC_BASETYPE_STRUCT) {
+        for (uint32_t i = 0; i < spvc_type_get_num_member_types(type); ++i) {
+            const Room member =
+                roomOf(module, spvc_compiler_get_type_handle(module.compiler,
+                                                             spvc_type_get_member_type(type, i)));
+            room.bytes = roundUp(room.bytes, member.alignment) + member.bytes;
+            room.alignment = std::max(room.alignment, member.alignment);
+        }
+    } else {
+        const uint32_t size = spvc_type_get_vector_size(type);
+        const uint64_t scalar = std::max(spvc_type_get_bit_width(type) / 8, 4u);
+        room.alignment = scalar * (size == 3 ? 4 : size);
+        room.bytes = scalar * size;
+        if (const uint32_t columns = spvc_type_get_columns(type); columns > 1)
+            room.bytes = room.alignment * columns;
+    }
+    for (uint32_t i = 0; i < spvc_type_get_num_array_dimensions(type); ++i)
+        room.bytes = roundUp(room.bytes, room.alignment) * elementsOf(module, type, i);
+    return room;
+}
+
+/// spirv-cross lists no variables of a workgroup; the words have been parsed, so their lengths are
+/// right.
+uint64_t readSharedBytes(const Module& module, std::span<const uint32_t> words) {
+    constexpr size_t kHeaderWords = 5;
+    uint64_t bytes = 0;
+    for (size_t i = kHeaderWords; i + 3 < words.size(); i += std::max(words[i] >> 16, 1u))
+        if ((words[i] & 0xffffu) == SpvOpVariable && words[i + 3] == SpvStorageClassWorkgroup) {
+            const Room room =
+                roomOf(module, spvc_compiler_get_type_handle(module.compiler, words[i + 1]));
+            bytes = roundUp(bytes, room.alignment) + room.bytes;
+        }
+    return bytes;
+}
+
 }  // namespace
 
 Result<Reflection> reflect(std::span<const uint32_t> words) {
@@ -156,6 +248,15 @@ Result<Reflection> reflect(std::span<const uint32_t> words) {
         for (uint32_t axis = 0; axis < 3; ++axis)
             reflection.workgroupSize[axis] = spvc_compiler_get_execution_mode_argument_by_index(
                 module.compiler, SpvExecutionModeLocalSize, axis);
+    reflection.inputs = readStage(module, SPVC_RESOURCE_TYPE_STAGE_INPUT);
+    reflection.outputs = readStage(module, SPVC_RESOURCE_TYPE_STAGE_OUTPUT);
+    const SpvCapability* capabilities = nullptr;
+    size_t count = 0;
+    if (spvc_compiler_get_declared_capabilities(module.compiler, &capabilities, &count) !=
+        SPVC_SUCCESS)
+        return module.failure();
+    reflection.capabilities.assign(capabilities, capabilities + count);
+    reflection.sharedBytes = readSharedBytes(module, words);
     return reflection;
 }
 

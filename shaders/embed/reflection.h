@@ -1,5 +1,5 @@
 /// \file What a compiled shader says of itself: the bindings of set 0, workgroup size, push
-/// constants.
+/// constants, what passes between stages, what it asks of the device.
 #pragma once
 
 #include <array>
@@ -21,10 +21,20 @@ struct Slot {
     bool writes = false;
 };
 
+/// What a stage takes from the one before or hands on, built-in values left out.
+struct StageValue {
+    std::string name;
+    uint32_t location = 0;
+    std::string type;  ///< as GLSL has it: "vec3"
+};
+
 struct Reflection {
     std::vector<Slot> slots;  ///< in ascending order
     std::array<uint32_t, 3> workgroupSize{1, 1, 1};
     uint32_t pushConstantBytes = 0;
+    std::vector<StageValue> inputs, outputs;
+    std::vector<uint32_t> capabilities;  ///< of SPIR-V, declared
+    uint64_t sharedBytes = 0;            ///< of a workgroup, arrays as their constants stand
 };
 
 /// Reads SPIR-V words. An error for what the engine does not bind: another set, arrays of

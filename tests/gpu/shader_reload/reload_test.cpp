@@ -144,16 +144,17 @@ TEST_F(ReloadTest, AnotherInterfaceNamesItsSlotAndIsNotRun) {
     }
 }
 
+/// A shader's text that includes shared.glsl.
+std::string including(const std::string& text) {
+    return replaced(text, "#version 460\n",
+                    "#version 460\n#extension GL_GOOGLE_include_directive : require\n"
+                    "#include \"shared.glsl\"\n");
+}
+
 TEST_F(ReloadTest, AnIncludeReloadsAllThatUseIt) {
-    const std::string include =
-        "#version 460\n#extension GL_GOOGLE_include_directive : require\n#include "
-        "\"shared.glsl\"\n";
     write("shared.glsl", "const uint kFactor = 2u;\n");
-    write("doubled.comp",
-          include +
-              replaced(replaced(original("doubled.comp"), "#version 460\n", ""), "2u", "kFactor"));
-    write("count.comp", include + replaced(replaced(original("count.comp"), "#version 460\n", ""),
-                                           ", 1u)", ", kFactor - 1u)"));
+    write("doubled.comp", including(replaced(original("doubled.comp"), "2u", "kFactor")));
+    write("count.comp", including(replaced(original("count.comp"), ", 1u)", ", kFactor - 1u)")));
     const uint32_t counted = runCount();
     EXPECT_EQ(runDoubled(), 11u);
     ShaderReloader reloader = watch();
@@ -171,6 +172,36 @@ TEST_F(ReloadTest, AnIncludeReloadsAllThatUseIt) {
     }
     EXPECT_EQ(runDoubled(), 16u);
     EXPECT_EQ(reloader.status().size(), 2u);
+}
+
+TEST_F(ReloadTest, WhatChangedTogetherGoesInTogetherOrNotAtAll) {
+    write("shared.glsl", "const uint kFactor = 2u;\nconst uint kStep = 1u;\n");
+    write("doubled.comp", including(replaced(original("doubled.comp"), "2u", "kFactor")));
+    const std::string count = including(replaced(original("count.comp"), ", 1u)", ", kStep)"));
+    write("count.comp", count);
+    const uint32_t counted = runCount();
+    EXPECT_EQ(runDoubled(), 11u);
+    ShaderReloader reloader = watch();
+    write("shared.glsl", "const uint kFactor = 3u;\n");
+    auto settled = wait(reloader);
+    ASSERT_EQ(settled.size(), 1u);
+    EXPECT_EQ(settled[0].name, "gpu_test/count.comp");
+    EXPECT_EQ(settled[0].state, ShaderState::Broken);
+    EXPECT_EQ(runDoubled(), 11u) << "it waits for the other";
+    for (const ShaderStatus& status : reloader.status())
+        EXPECT_EQ(status.state, status.name == "gpu_test/count.comp" ? ShaderState::Broken
+                                                                     : ShaderState::Waiting);
+
+    write("count.comp", replaced(count, "kStep", "2u"));
+    settled = wait(reloader);
+    EXPECT_EQ(settled.size(), 2u);
+    for (const ShaderStatus& status : reloader.status()) {
+        EXPECT_EQ(status.state, ShaderState::Ok) << status.name;
+        EXPECT_EQ(status.error, "");
+        EXPECT_EQ(status.reloads, 1u);
+    }
+    EXPECT_EQ(runDoubled(), 16u);
+    EXPECT_EQ(runCount(), 2 * counted);
 }
 
 TEST_F(ReloadTest, WhatRunsLaterIsFollowedAndWhatHasNoFileIsBroken) {

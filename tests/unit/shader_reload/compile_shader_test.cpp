@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "core/file.h"
 #include "deferred/shaders.h"
@@ -81,6 +82,23 @@ TEST(CompileShader, WhatIsMissingOrEndlessIsAnError) {
     write(folder / "a.comp", "");
     EXPECT_TRUE(errorOf(compileIn(folder)).starts_with("a.comp")) << errorOf(compileIn(folder));
     EXPECT_TRUE(errorOf(compileShader({folder / "", "lib/b.glsl"})).starts_with("lib/b.glsl: "));
+}
+
+TEST(CompileShader, WhatIncludesItselfManyTimesEndsSoon) {
+    const core::ScratchFolder folder;
+    write(folder / "a.comp", kHead + "#include \"lib/b.glsl\"\nvoid main() {}\n");
+    write(folder / "lib/b.glsl", "#include \"lib/b.glsl\"\n#include \"lib/b.glsl\"\n");
+    const auto begin = std::chrono::steady_clock::now();
+    const std::string error = errorOf(compileIn(folder));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+    EXPECT_NE(error.find("lib/b.glsl:1: "), std::string::npos) << error;
+    EXPECT_NE(error.find("does a file include itself?"), std::string::npos) << error;
+    std::string many = kHead;
+    for (int i = 0; i < 1001; ++i) many += "#include \"lib/c.glsl\"\n";
+    write(folder / "lib/c.glsl", "\n");
+    write(folder / "a.comp", many + "void main() {}\n");
+    EXPECT_TRUE(errorOf(compileIn(folder)).starts_with("a.comp:1004: "))
+        << errorOf(compileIn(folder));
 }
 
 TEST(CompileShader, TakesDefinitions) {
