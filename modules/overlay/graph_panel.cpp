@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace lampyris::overlay {
 namespace {
@@ -79,18 +80,22 @@ void drawStep(const FrameSeen& seen, const graph::Step& step, LookChoice& choice
                           seen.declared.resources()[handover.to].name.c_str());
 }
 
-void drawNodes(const FrameSeen& seen, LookChoice& choice, int& chosen) {
+void drawNodes(const FrameSeen& seen, LookChoice& choice, std::optional<NodeName>& opened) {
     const auto& steps = seen.graph.steps;
+    std::map<std::string, int> met;
     for (int i = 0; i < static_cast<int>(steps.size()); ++i) {
         const graph::Step& step = steps[static_cast<size_t>(i)];
         if (step.node == graph::kNoNode) continue;
         const graph::Node& node = seen.declared.nodes()[step.node];
-        ImGui::PushID(i);
-        const std::string label =
-            fmt::format("{:3} {} ({}), {} barriers", i, node.name, graph::name(node.kind),
-                        step.barriers.size() + (step.handover.handovers.empty() ? 0 : 1));
-        if (ImGui::Selectable(label.c_str(), chosen == i)) chosen = chosen == i ? -1 : i;
-        if (chosen == i) drawStep(seen, step, choice);
+        const NodeName name{node.name, met[node.name]++};
+        // Steps move up and down, and barriers come and go, between a press and its release.
+        ImGui::PushID(name.occurrence);
+        const std::string label = fmt::format(
+            "{:3} {} ({}), {} barriers###{}", i, node.name, graph::name(node.kind),
+            step.barriers.size() + (step.handover.handovers.empty() ? 0 : 1), node.name);
+        if (ImGui::Selectable(label.c_str(), opened == name))
+            opened = opened == name ? std::nullopt : std::optional{name};
+        if (opened == name) drawStep(seen, step, choice);
         ImGui::PopID();
     }
 }
@@ -184,7 +189,7 @@ void GraphPanel::draw(const FrameSeen& seen, LookChoice& choice, bool* open) {
     ImGui::SetNextWindowSize({460.0f, 480.0f}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Graph", open) && ImGui::BeginTabBar("graph")) {
         if (ImGui::BeginTabItem("Nodes")) {
-            drawNodes(seen, choice, node_);
+            drawNodes(seen, choice, opened_);
             ImGui::EndTabItem();
         }
         if (ImGui::BeginTabItem("Images and buffers")) {

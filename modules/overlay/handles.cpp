@@ -53,21 +53,21 @@ float distanceToSegment(const ImVec2& p, const ImVec2& a, const ImVec2& b) {
     return glm::length(ap - t * ab);
 }
 
-/// Metres along the axis to the point nearest to the mouse's ray.
-float alongAxis(const Stand& stand, int axis, const ImVec2& mouse) {
+/// Metres along the axis to the point nearest to the mouse's ray; nothing where it is seen end-on.
+std::optional<float> alongAxis(const Stand& stand, int axis, const ImVec2& mouse) {
     const glm::vec3 direction = stand.ray(mouse);
     const glm::vec3 between = glm::vec3(stand.cameraToWorld[3]) - stand.origin;
     const glm::vec3& a = stand.axes[static_cast<size_t>(axis)];
     const float ad = glm::dot(a, direction);
     const float parallel = 1.0f - ad * ad;
-    if (parallel < kEndOn) return 0.0f;
+    if (parallel < kEndOn) return std::nullopt;
     return (glm::dot(a, between) - ad * glm::dot(direction, between)) / parallel;
 }
 
 /// Radians about the axis of the mouse as seen from the origin, counter-clockwise from its tip.
-float aboutAxis(const Stand& stand, int axis, const ImVec2& mouse) {
+std::optional<float> aboutAxis(const Stand& stand, int axis, const ImVec2& mouse) {
     const auto centre = stand.screen(stand.origin);
-    if (!centre) return 0.0f;
+    if (!centre) return std::nullopt;
     const glm::vec3 toEye = glm::vec3(stand.cameraToWorld[3]) - stand.origin;
     const float facing = glm::dot(stand.axes[static_cast<size_t>(axis)], toEye);
     const float angle = std::atan2(centre->y - mouse.y, mouse.x - centre->x);
@@ -118,12 +118,15 @@ glm::mat4 parentToWorld(const ecs::World& world, ecs::Entity entity) {
 void apply(ecs::World& world, ecs::Entity entity, HandleKind kind, const glm::vec3& axisWorld,
            int axis, float from, float to) {
     scene::Transform transform = world.get<scene::Transform>(entity);
-    const glm::mat3 toParent = glm::inverse(glm::mat3(parentToWorld(world, entity)));
+    const glm::mat3 linear(parentToWorld(world, entity));
+    const glm::mat3 toParent = glm::inverse(linear);
     if (kind == HandleKind::Move) {
         transform.translation += toParent * (axisWorld * (to - from));
     } else if (kind == HandleKind::Rotate) {
         const glm::vec3 about = glm::normalize(toParent * axisWorld);
-        transform.rotation = glm::normalize(glm::angleAxis(to - from, about) * transform.rotation);
+        // Under a parent that mirrors, what turns one way in the world turns the other way.
+        const float angle = (to - from) * glm::sign(glm::determinant(linear));
+        transform.rotation = glm::normalize(glm::angleAxis(angle, about) * transform.rotation);
     } else {
         const float factor =
             std::abs(from) > 1e-4f ? std::clamp(std::abs(to / from), 0.1f, 10.0f) : 1.0f;
@@ -170,7 +173,7 @@ bool Handles::draw(ecs::World& world, ecs::Entity entity, const scene::SnapshotC
     if (dragged_ && (dragged_->entity != entity || dragged_->kind != kind)) dragged_.reset();
     if (at == nullptr || !world.has<scene::Transform>(entity)) return false;
     const auto stand = standOf(at->matrix, kind, camera, size);
-    if (!stand) return false;
+    if (!stand) return dragging();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const auto valueOf = [&](int axis) {
         return kind == HandleKind::Rotate ? aboutAxis(*stand, axis, mouse)
@@ -179,18 +182,19 @@ bool Handles::draw(ecs::World& world, ecs::Entity entity, const scene::SnapshotC
     int hot = dragged_ ? dragged_->axis : -1;
     for (int i = 0; i < 3; ++i) {
         const auto points = outline(*stand, kind, i);
-        if (hot < 0 && !ImGui::GetIO().WantCaptureMouse && isNear(points, mouse)) hot = i;
+        if (hot < 0 && !ImGui::GetIO().WantCaptureMouse && isNear(points, mouse) && valueOf(i))
+            hot = i;
         drawOutline(points, kind, i == hot ? kHot : kColours[static_cast<size_t>(i)]);
     }
     if (!dragged_ && hot >= 0 && ImGui::IsMouseClicked(0))
-        dragged_ = Drag{entity, kind, hot, valueOf(hot)};
+        dragged_ = Drag{entity, kind, hot, *valueOf(hot)};
     if (!dragged_) return hot >= 0;
     const int axis = dragged_->axis;
-    const float now = valueOf(axis);
-    if (now == dragged_->start) return true;
-    apply(world, entity, kind, stand->axes[static_cast<size_t>(axis)], axis, dragged_->start, now);
+    const std::optional<float> now = valueOf(axis);
+    if (!now || *now == dragged_->start) return true;
+    apply(world, entity, kind, stand->axes[static_cast<size_t>(axis)], axis, dragged_->start, *now);
     // What was moved takes its axis along, so the same place on it is under the mouse.
-    if (kind != HandleKind::Move) dragged_->start = now;
+    if (kind != HandleKind::Move) dragged_->start = *now;
     return true;
 }
 

@@ -18,7 +18,8 @@ class Handles {
 
     /// Draws them and follows the mouse, between Overlay::begin() and addNode(); edits Transform,
     /// or a light's radius where it is scaled. Nothing for an entity without a Transform.
-    /// True while the mouse is theirs: it points at one, or drags it.
+    /// True while the mouse is theirs: it points at one, or drags it. An axis that is seen end-on
+    /// has no length to point at; one that is dragged stays where it was until it has some again.
     bool draw(ecs::World& world, ecs::Entity entity, const scene::SnapshotCamera& camera,
               graph::Extent size);
     [[nodiscard]] bool dragging() const { return dragged_.has_value(); }

@@ -10,8 +10,21 @@
 namespace lampyris::overlay {
 namespace {
 
-constexpr uint32_t kMostWidth = 960;  // [chosen] pixels; wider images are looked at in steps
+constexpr uint32_t kMostWidth = 960;  // [chosen] pixels; of wider images not every texel is shown
 constexpr uint32_t kNowhere = 0xffffffffu;
+
+uint32_t channelsOf(graph::Format format) {
+    switch (format) {
+        case graph::Format::R32Uint:
+        case graph::Format::R32Float:
+        case graph::Format::D32Float:
+            return 1;
+        case graph::Format::RG32Float:
+            return 2;
+        default:
+            return shared::LOOK_CHANNELS;
+    }
+}
 
 bool isWhole(graph::Format format) {
     return format == graph::Format::R32Uint || format == graph::Format::RGBA32Uint;
@@ -34,9 +47,11 @@ graph::Image find(const graph::Frame& frame, const std::string& name) {
     const auto& resources = frame.resources();
     for (uint32_t i = 0; i < resources.size(); ++i)
         if (resources[i].isImage && resources[i].name == name) {
-            // What history brings is complete; what it takes along may not be written yet.
-            if (resources[i].versions < 2 && resources[i].origin == graph::Origin::Transient)
-                continue;
+            // What comes from outside and what history brings is complete; all else may not be
+            // written in this frame.
+            const bool complete =
+                resources[i].origin == graph::Origin::Imported || resources[i].historyPrevious;
+            if (resources[i].versions < 2 && !complete) continue;
             found = {i, resources[i].versions - 1};
         }
     return found;
@@ -89,6 +104,7 @@ graph::Image ImageLook::addNode(graph::Frame& frame) {
     params.layer = std::min(choice.layer, desc_.layers - 1);
     params.cursorX = choice.cursor ? choice.cursor->x : kNowhere;
     params.cursorY = choice.cursor ? choice.cursor->y : kNowhere;
+    params.channels = channelsOf(desc_.format);
 
     auto clear = frame.transfer("overlay/look_clear");
     graph::Buffer findings =

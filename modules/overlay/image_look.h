@@ -42,7 +42,7 @@ class ImageLook {
     [[nodiscard]] const graph::ImageDesc& desc() const { return desc_; }  ///< of what is looked at
     /// The last frame had no image of that name.
     [[nodiscard]] bool isMissing() const { return missing_ && choice.name == shownName_; }
-    /// The least and the most finite value over what is shown.
+    /// The least and the most finite value of the channels that are shown and that the image has.
     [[nodiscard]] std::array<float, 2> range() const;
 
  private:

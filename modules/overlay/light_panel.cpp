@@ -29,20 +29,39 @@ void drawMarks(MarkChoice& choice) {
     ImGui::SliderFloat("photon, pixels", &choice.radiusPixels, 0.5f, 8.0f, "%.1f");
     int level = static_cast<int>(choice.boxLevel);
     ImGui::SetNextItemWidth(160.0f);
-    ImGui::SliderInt("BVH level", &level, 0, static_cast<int>(kMostBoxLevel));
+    ImGui::SliderInt("BVH level", &level, static_cast<int>(kLeastBoxLevel),
+                     static_cast<int>(kMostBoxLevel), "%d", ImGuiSliderFlags_AlwaysClamp);
     choice.boxLevel = static_cast<uint32_t>(level);
 }
 
-void drawHeat(MarkChoice& choice) {
-    int heat = static_cast<int>(choice.heat);
+/// Says so where not all is drawn that there is.
+void drawStride(const FrameSeen& seen, const MarkChoice& choice) {
+    const shared::FrameCounters& c = seen.report.counters;
+    // Of several batches the last is drawn; they are of a size.
+    const double share = c.photonsNeeded / std::max(1.0, static_cast<double>(c.photonsStored));
+    const auto paths = static_cast<uint32_t>(seen.report.paths * std::min(share, 1.0));
+    const uint32_t stride = markStride(c.photonsNeeded, paths, choice.most);
+    if ((choice.photons || choice.paths) && stride > 1)
+        text(fmt::format("one in {} is drawn", stride));
+}
+
+void drawHeat(const photon_gi::Settings& settings, MarkChoice& choice) {
+    const auto offer = [&](const char* label, Heat heat) {
+        ImGui::SameLine();
+        ImGui::BeginDisabled(!hasHeat(heat, settings));
+        if (ImGui::RadioButton(label, choice.heat == heat)) choice.heat = heat;
+        ImGui::EndDisabled();
+    };
     text("heat:");
-    ImGui::SameLine();
-    ImGui::RadioButton("none", &heat, static_cast<int>(Heat::None));
-    ImGui::SameLine();
-    ImGui::RadioButton("photons a tile", &heat, static_cast<int>(Heat::Tiles));
-    ImGui::SameLine();
-    ImGui::RadioButton("frames in the mean", &heat, static_cast<int>(Heat::History));
-    choice.heat = static_cast<Heat>(heat);
+    offer("none", Heat::None);
+    offer("photons a tile", Heat::Tiles);
+    offer("frames in the mean", Heat::History);
+    if (!hasHeat(Heat::Tiles, settings) && !hasHeat(Heat::History, settings))
+        text("Direct light has neither tiles nor a mean.");
+    else if (!hasHeat(Heat::Tiles, settings))
+        text("Tiles have photons where the gather is tiles.");
+    else
+        text("There is a mean where the gather is final.");
     ImGui::SetNextItemWidth(160.0f);
     ImGui::SliderFloat("shown as white", &choice.heatMost, 1.0f, 4096.0f, "%.0f",
                        ImGuiSliderFlags_Logarithmic);
@@ -107,13 +126,14 @@ void drawEmission(const photons::PathSplit& split) {
 
 }  // namespace
 
-void drawLightPanel(const FrameSeen& seen, const photons::PathSplit& split, MarkChoice& choice,
-                    bool* open) {
+void drawLightPanel(const FrameSeen& seen, const photons::PathSplit& split,
+                    const photon_gi::Settings& settings, MarkChoice& choice, bool* open) {
     ImGui::SetNextWindowPos({60.0f, 220.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({430.0f, 460.0f}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Photons", open)) {
         drawMarks(choice);
-        drawHeat(choice);
+        drawStride(seen, choice);
+        drawHeat(settings, choice);
         ImGui::Separator();
         drawCounts(seen);
         if (ImGui::CollapsingHeader("Guided emission: paths by their way out of each emitter"))

@@ -7,8 +7,9 @@
 
 namespace lampyris::overlay {
 
-/// \param split  the paths of the last frame
-void drawLightPanel(const FrameSeen& seen, const photons::PathSplit& split, MarkChoice& choice,
-                    bool* open);
+/// \param split     the paths of the last frame
+/// \param settings  of the next one: what it will not have cannot be chosen
+void drawLightPanel(const FrameSeen& seen, const photons::PathSplit& split,
+                    const photon_gi::Settings& settings, MarkChoice& choice, bool* open);
 
 }  // namespace lampyris::overlay

@@ -9,7 +9,6 @@
 namespace lampyris::overlay {
 namespace {
 
-constexpr uint32_t kMostMarks = 1u << 18;  // [chosen] photons; more would hide the picture
 constexpr uint32_t kVerticesPerPhoton = 6;
 constexpr uint32_t kVerticesPerBox = 24;
 
@@ -49,7 +48,8 @@ graph::Image addPhotonMarks(graph::Frame& frame, const photon_gi::Insides& insid
     const photons::PhotonList& photons = insides.photons;
     shared::MarkParams params{};
     params.pathCount = photons.pathCount;
-    params.capacity = std::min(photons.capacity, kMostMarks);
+    params.capacity = photons.capacity;
+    params.most = std::max(choice.most, 1u);
     params.colouring =
         choice.colouring == Colouring::Bounce ? shared::MARK_BY_BOUNCE : shared::MARK_BY_POWER;
     params.brightness = photons.powerScale * std::exp2(choice.brightnessEv);
@@ -63,8 +63,8 @@ graph::Image addPhotonMarks(graph::Frame& frame, const photon_gi::Insides& insid
         .read(shared::SLOT_MARK_PHOTONS, photons.photons)
         .read(shared::SLOT_MARK_OFFSETS, photons.pathOffsets);
     graph::Draw draw;
-    draw.count = asPaths ? 2 : kVerticesPerPhoton;
-    draw.instances = params.capacity;
+    draw.count = asPaths ? 2 * (photons.perPath - 1) : kVerticesPerPhoton;
+    draw.instances = std::min(asPaths ? photons.pathCount : photons.capacity, params.most);
     draw.pushConstants(params);
     record(node, asPaths ? shaders::pathsVert : shaders::photonsVert,
            (asPaths ? lines : points).of(choice.throughWalls), draw);
@@ -80,7 +80,7 @@ graph::Image addBoxes(graph::Frame& frame, const photon_gi::Insides& insides,
         .uniformData(shared::SLOT_VIEW, insides.view)
         .uniformData(shared::SLOT_BOX_ROOT, insides.accel.root)
         .texels(shared::SLOT_BOX_NODES, insides.accel.nodes, graph::Format::RGBA32Uint);
-    const shared::BoxParams params{std::min(choice.boxLevel, kMostBoxLevel)};
+    const shared::BoxParams params{std::clamp(choice.boxLevel, kLeastBoxLevel, kMostBoxLevel)};
     graph::Draw draw;
     draw.count = kVerticesPerBox;
     draw.instances = 1u << params.level;
@@ -111,13 +111,28 @@ graph::Image addHeat(graph::Frame& frame, const photon_gi::Insides& insides,
 
 }  // namespace
 
+bool hasHeat(Heat heat, const photon_gi::Settings& settings) {
+    const bool indirect =
+        settings.pipeline != photon_gi::Pipeline::Direct && settings.maxBounces > 0;
+    switch (heat) {
+        case Heat::None:
+            return true;
+        case Heat::Tiles:
+            return indirect && !photon_gi::finalGathers(settings);
+        case Heat::History:
+            return indirect && photon_gi::finalGathers(settings);
+    }
+    return false;
+}
+
 graph::Image addMarks(graph::Frame& frame, const photon_gi::Insides& insides,
                       const MarkChoice& choice, graph::Image shown) {
     if (!insides.depth.valid()) return shown;  // the last picture is shown again
     if (choice.heat != Heat::None) shown = addHeat(frame, insides, choice, shown);
     const bool hasPhotons = insides.photons.photons.valid() && insides.photons.capacity > 0;
     if (choice.photons && hasPhotons) shown = addPhotonMarks(frame, insides, choice, false, shown);
-    if (choice.paths && hasPhotons) shown = addPhotonMarks(frame, insides, choice, true, shown);
+    if (choice.paths && hasPhotons && insides.photons.perPath > 1)
+        shown = addPhotonMarks(frame, insides, choice, true, shown);
     if (choice.boxes) shown = addBoxes(frame, insides, choice, shown);
     return shown;
 }

@@ -3,6 +3,8 @@
 ///   shader  overlay/photons.vert, paths.vert, boxes.vert, mark.frag, heat.comp
 #pragma once
 
+#include <algorithm>
+
 #include "photon_gi/frame.h"
 
 namespace lampyris::overlay {
@@ -24,6 +26,7 @@ struct MarkChoice {
     float radiusPixels = 1.5f;  ///< of a photon
     bool boxes = false;         ///< of the BVH
     uint32_t boxLevel = 4;      ///< below the root
+    uint32_t most = 1u << 18;   ///< [chosen] photons, and paths: more would hide the picture
     Heat heat = Heat::None;
     float heatMost = photon_gi::Settings{}.history;  ///< shown as white: of frames, a full mean
     float heatOpacity = 0.7f;
@@ -31,7 +34,16 @@ struct MarkChoice {
     [[nodiscard]] bool any() const { return photons || paths || boxes || heat != Heat::None; }
 };
 
+/// Whether frames of these settings have what the heat shows.
+[[nodiscard]] bool hasHeat(Heat heat, const photon_gi::Settings& settings);
+
+constexpr uint32_t kLeastBoxLevel = 1;  ///< the root has children, and no box of its own
 constexpr uint32_t kMostBoxLevel = 12;
+
+/// Where a frame has more photons or paths than are drawn, each so manieth is.
+[[nodiscard]] inline uint32_t markStride(uint32_t photons, uint32_t paths, uint32_t most) {
+    return std::max(1u, (std::max(photons, paths) + most - 1) / most);
+}
 
 /// Leaves out what the frame has not.
 [[nodiscard]] graph::Image addMarks(graph::Frame& frame, const photon_gi::Insides& insides,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <unordered_map>
 
 namespace lampyris::overlay {
@@ -40,8 +41,9 @@ void NodeTimes::add(const execute::FrameStatistics& frame) {
     const bool alike = !frames_.empty() && sameNodes(frames_.back(), frame);
     frames_.push_back(frame);
     if (frames_.size() > kFrames) frames_.pop_front();
-    if (!alike) return rebuild();
+    if (!alike) place(frame);
     append(frame);
+    dropLeft();
     if (++unsummarised_ >= kSummaryFrames || frames_.size() <= kSummaryFrames) summarise();
 }
 
@@ -71,26 +73,56 @@ void NodeTimes::append(const execute::FrameStatistics& frame) {
     push(whole_.cpuRecord, recorded);
 }
 
+/// Finds or makes a row for each node, and puts these first.
+void NodeTimes::place(const execute::FrameStatistics& frame) {
+    std::unordered_map<std::string, size_t> byName;
+    std::vector<NodeRow> rows;
+    places_.clear();
+    for (const execute::NodeTime& node : frame.nodes) {
+        const std::string name = partsApart_ ? node.name : execute::reportedName(node.name);
+        const auto [found, isNew] = byName.emplace(name, rows.size());
+        places_.push_back(found->second);
+        if (!isNew) continue;
+        const auto known = std::find_if(rows_.begin(), rows_.end(),
+                                        [&](const NodeRow& row) { return row.name == name; });
+        if (known == rows_.end()) {
+            const std::vector<float> none(whole_.gpu.size());
+            rows.push_back({name, none, none});
+        } else {
+            rows.push_back(std::move(*known));
+            rows_.erase(known);
+        }
+    }
+    present_ = rows.size();
+    std::move(rows_.begin(), rows_.end(), std::back_inserter(rows));
+    rows_ = std::move(rows);
+}
+
+/// Rows of nodes that no frame has any more.
+void NodeTimes::dropLeft() {
+    const auto isZero = [](float value) { return value == 0.0f; };
+    const auto left = rows_.begin() + static_cast<ptrdiff_t>(present_);
+    rows_.erase(std::remove_if(left, rows_.end(),
+                               [&](const NodeRow& row) {
+                                   return std::all_of(row.gpu.begin(), row.gpu.end(), isZero) &&
+                                          std::all_of(row.cpuRecord.begin(), row.cpuRecord.end(),
+                                                      isZero);
+                               }),
+                rows_.end());
+}
+
+void NodeTimes::clear() {
+    *this = NodeTimes(partsApart_);
+}
+
 void NodeTimes::rebuild() {
     rows_.clear();
     whole_ = {"frame", {}, {}};
-    std::unordered_map<std::string, size_t> byName;
-    const auto place = [&](const execute::FrameStatistics& frame) {
-        places_.clear();
-        for (const execute::NodeTime& node : frame.nodes) {
-            const std::string name = partsApart_ ? node.name : execute::reportedName(node.name);
-            const auto [found, isNew] = byName.emplace(name, rows_.size());
-            if (isNew)
-                rows_.push_back({name, std::vector<float>(whole_.gpu.size()),
-                                 std::vector<float>(whole_.gpu.size())});
-            places_.push_back(found->second);
-        }
-    };
-    if (!frames_.empty()) place(frames_.back());  // its order comes first
     for (const execute::FrameStatistics& frame : frames_) {
         place(frame);
         append(frame);
     }
+    dropLeft();
     summarise();
 }
 

@@ -25,10 +25,13 @@ class NodeTimes {
 
     void add(const execute::FrameStatistics& frame);
     void setPartsApart(bool apart);
+    /// Forgets all frames.
+    void clear();
     [[nodiscard]] bool partsApart() const { return partsApart_; }
 
     [[nodiscard]] const std::deque<execute::FrameStatistics>& frames() const { return frames_; }
-    /// In the order of the last frame; nodes that only earlier frames had stand at the end.
+    /// In the order of the last frame; nodes that only earlier frames had stand at the end, as long
+    /// as one of the frames that are kept has them.
     [[nodiscard]] const std::vector<NodeRow>& rows() const { return rows_; }
     /// The whole frame's row, of device time from its first timestamp to its last. Medians and p95
     /// are of every eighth frame.
@@ -38,13 +41,16 @@ class NodeTimes {
 
  private:
     void append(const execute::FrameStatistics& frame);
+    void place(const execute::FrameStatistics& frame);
     void rebuild();
+    void dropLeft();
     void summarise();
 
     std::deque<execute::FrameStatistics> frames_;
     std::vector<NodeRow> rows_;
     std::vector<size_t> places_;  ///< in rows_, of the last frame's nodes
     NodeRow whole_{"frame", {}, {}};
+    size_t present_ = 0;       ///< the first rows_, which the last frame has
     size_t unsummarised_ = 0;  ///< frames since the last medians
     bool partsApart_;
 };

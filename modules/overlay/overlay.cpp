@@ -42,7 +42,8 @@ struct Overlay::State {
     bool open = false;   ///< between begin() and end()
     bool drawn = false;  ///< between end() and addNode()
     Clock::time_point begun;
-    double milliseconds = 0.0;
+    double milliseconds = 0.0;      ///< of this frame, up to now
+    double lastMilliseconds = 0.0;  ///< of the whole frame before
 
     State() = default;
     State(const State&) = delete;
@@ -86,12 +87,13 @@ bool Overlay::visible() const {
 
 void Overlay::show(bool visible) {
     state_->visible = visible;
-    if (!visible) state_->milliseconds = 0.0;
+    if (!visible) state_->milliseconds = state_->lastMilliseconds = 0.0;
 }
 
 void Overlay::begin(const window::Input& input, graph::Extent windowSize, graph::Extent pictureSize,
                     double seconds) {
     if (!state_->visible) return;
+    state_->lastMilliseconds = std::exchange(state_->milliseconds, 0.0);
     state_->begun = Clock::now();
     ImGui::SetCurrentContext(state_->context);
     if (state_->open) ImGui::EndFrame();  // the frame before was never drawn
@@ -114,7 +116,7 @@ void Overlay::end() {
     ImGui::Render();
     state_->open = false;
     state_->drawn = true;
-    state_->milliseconds = millisecondsSince(state_->begun);
+    state_->milliseconds += millisecondsSince(state_->begun);
 }
 
 bool Overlay::wantsMouse() const {
@@ -130,16 +132,24 @@ bool Overlay::typing() const {
 graph::Image Overlay::addNode(graph::Frame& frame, graph::Image shown, graph::Image picture) {
     end();
     if (!std::exchange(state_->drawn, false)) return shown;
-    const auto begin = Clock::now();
+    const Counted counted = count();
     ImGui::SetCurrentContext(state_->context);
-    const graph::Image drawn =
-        addPanels(frame, *ImGui::GetDrawData(), state_->font, picture, shown);
-    state_->milliseconds += millisecondsSince(begin);
-    return drawn;
+    return addPanels(frame, *ImGui::GetDrawData(), state_->font, picture, shown);
+}
+
+Overlay::Counted::Counted(double& milliseconds)
+    : milliseconds_(milliseconds), begun_(Clock::now()) {}
+
+Overlay::Counted::~Counted() {
+    milliseconds_ += millisecondsSince(begun_);
+}
+
+Overlay::Counted Overlay::count() {
+    return Counted{state_->milliseconds};
 }
 
 double Overlay::cpuMilliseconds() const {
-    return state_->milliseconds;
+    return state_->lastMilliseconds;
 }
 
 }  // namespace lampyris::overlay

@@ -5,6 +5,7 @@
 /// the graph is declared. Hidden, all of it does nothing and costs nothing.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -49,7 +50,24 @@ class Overlay {
     [[nodiscard]] graph::Image addNode(graph::Frame& frame, graph::Image shown,
                                        graph::Image picture = {});
 
-    /// Wall time from begin() to end(), and of addNode(), in the last frame; 0 while hidden.
+    /// Adds the wall time up to its end to the frame's.
+    class Counted {
+     public:
+        explicit Counted(double& milliseconds);
+        ~Counted();
+        Counted(const Counted&) = delete;
+        Counted& operator=(const Counted&) = delete;
+
+     private:
+        double& milliseconds_;
+        std::chrono::steady_clock::time_point begun_;
+    };
+    /// For what else the overlay does in a frame: marks, the looked-at image, what panels follow.
+    /// Not around this class's own calls, which are counted by themselves.
+    [[nodiscard]] Counted count();
+
+    /// Wall time from begin() to end(), of addNode(), and of all that was count()ed, in the frame
+    /// before the last begin(); 0 before there was one, and while hidden.
     [[nodiscard]] double cpuMilliseconds() const;
 
  private:

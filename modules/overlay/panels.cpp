@@ -38,7 +38,7 @@ void Panels::draw(const FrameSeen& seen, const photons::PathSplit& paths, const 
     drawMenu(seen, shaders, play);
     if (open.timing) timing.draw(&open.timing);
     if (open.graph) graph_.draw(seen, look.choice, &open.graph);
-    if (open.light) drawLightPanel(seen, paths, marks, &open.light);
+    if (open.light) drawLightPanel(seen, paths, edits.settings, marks, &open.light);
     if (open.truth)
         truth.draw(seen, look.choice, &open.truth);
     else
@@ -47,6 +47,8 @@ void Panels::draw(const FrameSeen& seen, const photons::PathSplit& paths, const 
     if (open.settings)
         drawSettingsPanel(edits.settings, edits.defaults, edits.display,
                           {edits.budgetMilliseconds, edits.budget}, &open.settings);
+    // What the next frame has not is no reason to draw it whole.
+    if (!hasHeat(marks.heat, edits.settings)) marks.heat = Heat::None;
     if (open.shaders) drawShaderPanel(shaders, &open.shaders);
     drawImagePanel(look);
 }

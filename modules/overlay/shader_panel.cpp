@@ -33,6 +33,8 @@ void drawShaderPanel(std::span<const ShaderStatus> shaders, bool* open) {
         for (const ShaderStatus& shader : shaders) {
             if (shader.state == ShaderState::Compiling)
                 text(fmt::format("{}: compiling", shader.name));
+            else if (shader.state == ShaderState::Waiting)
+                text(fmt::format("{}: waits for what changed with it", shader.name));
             else if (shader.reloads > 0)
                 text(fmt::format("{}: reloaded {} times, last in {:.0f} ms", shader.name,
                                  shader.reloads, shader.milliseconds));

@@ -23,8 +23,16 @@ void bar(float value, float whole) {
 
 }  // namespace
 
-void TimingPanel::add(const execute::FrameStatistics& frame, double overlayMilliseconds) {
+void TimingPanel::clear() {
+    times_.clear();
+    overlayCpu_.clear();
+}
+
+void TimingPanel::add(const execute::FrameStatistics& frame, double overlayMilliseconds,
+                      const TimedWith& with) {
     if (frozen_) return;
+    if (with_ != with) clear();
+    with_ = with;
     times_.add(frame);
     overlayCpu_.push_back(static_cast<float>(overlayMilliseconds));
     if (overlayCpu_.size() > NodeTimes::kFrames) overlayCpu_.erase(overlayCpu_.begin());
@@ -56,6 +64,8 @@ void TimingPanel::drawButtons() {
     if (ImGui::Checkbox("Parts", &apart)) times_.setPartsApart(apart);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Each part of a node as a row of its own");
     ImGui::SameLine();
+    if (ImGui::Button("Clear")) clear();
+    ImGui::SameLine();
     if (ImGui::Button("Copy CSV")) ImGui::SetClipboardText(times_.csv().c_str());
     ImGui::SameLine();
     if (ImGui::Button("Chrome trace")) {
@@ -71,11 +81,11 @@ void TimingPanel::drawFrame() {
     const NodeRow& whole = times_.whole();
     const float last = whole.gpu.empty() ? 0.0f : whole.gpu.back();
     ImGui::PushStyleColor(ImGuiCol_Text, last > budgetMilliseconds ? kOver : kUnder);
-    text(fmt::format("device {:.2f} ms, median {:.2f}, p95 {:.2f}", last, whole.gpuMedian,
+    text(fmt::format("device {:.2f} ms, median {:.2f} ms, p95 {:.2f} ms", last, whole.gpuMedian,
                      whole.gpuP95));
     ImGui::PopStyleColor();
-    const float overlay = overlayCpu_.empty() ? 0.0f : overlayCpu_.back();
-    text(fmt::format("CPU: recording {:.2f} ms, overlay {:.2f} ms", whole.cpuMedian, overlay));
+    text(fmt::format("CPU, medians: recording {:.2f} ms, overlay {:.2f} ms", whole.cpuMedian,
+                     overlayMilliseconds()));
     ImGui::SetNextItemWidth(120.0f);
     ImGui::DragFloat("budget, ms", &budgetMilliseconds, 0.1f, 0.1f, 10000.0f, "%.1f");
 }
@@ -94,19 +104,20 @@ void TimingPanel::drawHistory() {
     ImGui::PlotLines("##history", row->gpu.data(), static_cast<int>(row->gpu.size()), 0,
                      label.c_str(), 0.0f, 1.1f * most, {width, kHistoryHeight});
     if (!isFrame || most <= 0.0f) return;
-    const float y = corner.y + kHistoryHeight * (1.0f - budgetMilliseconds / (1.1f * most));
-    ImGui::GetWindowDrawList()->AddLine({corner.x, y}, {corner.x + width, y},
-                                        ImGui::GetColorU32(kOver));
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;  // the plot lies within it
+    const float inside = kHistoryHeight - 2.0f * padding.y;
+    const float y = corner.y + padding.y + inside * (1.0f - budgetMilliseconds / (1.1f * most));
+    ImGui::GetWindowDrawList()->AddLine(
+        {corner.x + padding.x, y}, {corner.x + width - padding.x, y}, ImGui::GetColorU32(kOver));
 }
 
 void TimingPanel::drawNodes() {
     const auto flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Resizable;
     if (!ImGui::BeginTable("nodes", 5, flags)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("node", ImGuiTableColumnFlags_WidthStretch, 2.0f);
-    ImGui::TableSetupColumn("last, ms", ImGuiTableColumnFlags_WidthStretch, 1.5f);
-    for (const char* name : {"median", "p95", "record"})
-        ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthStretch, 0.8f);
+    ImGui::TableSetupColumn("node", ImGuiTableColumnFlags_WidthStretch, 1.4f);
+    for (const char* name : {"last, ms", "median, ms", "p95, ms", "record, ms"})
+        ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthStretch, 1.1f);
     ImGui::TableHeadersRow();
     const float whole = times_.whole().gpu.empty() ? 0.0f : times_.whole().gpu.back();
     for (const NodeRow& row : times_.rows()) {

@@ -9,10 +9,19 @@
 
 namespace lampyris::overlay {
 
+/// What a frame was drawn with: its times are not mixed with those of others.
+struct TimedWith {
+    photon_gi::Settings settings;
+    graph::Extent size{};  ///< pixels
+    bool operator==(const TimedWith&) const = default;
+};
+
 class TimingPanel {
  public:
-    /// Remembers a frame that was drawn; does nothing while frozen.
-    void add(const execute::FrameStatistics& frame, double overlayMilliseconds);
+    /// Remembers a frame that was drawn, and forgets those before it that were drawn with other
+    /// settings; does nothing while frozen.
+    void add(const execute::FrameStatistics& frame, double overlayMilliseconds,
+             const TimedWith& with = {});
     /// \param open  as ImGui::Begin has it
     void draw(bool* open);
 
@@ -24,12 +33,14 @@ class TimingPanel {
     [[nodiscard]] float overlayMilliseconds() const;
 
  private:
+    void clear();
     void drawButtons();
     void drawFrame();
     void drawNodes();
     void drawHistory();
 
     NodeTimes times_;
+    TimedWith with_;  ///< all that is kept
     bool frozen_ = false;
     std::string selected_;  ///< node whose history is drawn; empty: the frame's
     std::string written_;   ///< what became of the last export

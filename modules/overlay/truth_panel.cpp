@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <utility>
 
 #include "overlay/shaders.h"
 #include "overlay/words.h"
@@ -19,8 +19,8 @@ void plot(const char* name, const std::vector<TruthFigures>& figures, const Get&
     values.reserve(figures.size());
     for (const TruthFigures& one : figures)
         if (const auto value = get(one)) values.push_back(static_cast<float>(*value));
-    if (values.empty()) return;
-    const std::string label = fmt::format("{} {:.4g}", name, values.back());
+    const std::string label =
+        values.empty() ? std::string(name) : fmt::format("{} {:.4g}", name, values.back());
     ImGui::PlotLines(fmt::format("##{}", name).c_str(), values.data(),
                      static_cast<int>(values.size()), 0, label.c_str(), FLT_MAX, FLT_MAX,
                      {remainingWidth(), kPlotHeight});
@@ -73,40 +73,62 @@ core::Result<TruthPanel> TruthPanel::create(gpu::Device& device) {
 core::Result<void> TruthPanel::follow(const TruthView& view, const core::DisplayTransform& display,
                                       const gpu::Image& radiance, const graph::ImageDesc& desc) {
     if (!worker_) worker_ = std::make_unique<TruthWorker>();
-    worker_->follow(view);
-    if (!view_ || !view_->sameAs(view)) {
-        view_ = view;
-        copies_ = 0;
-        before_ = {};
+    const bool sameView = worker_->follow(view);
+    const bool sameDisplay =
+        display.exposureEv == display_.exposureEv && display.tonemap == display_.tonemap;
+    if (!sameDisplay) worker_->forgetFigures();
+    display_ = display;
+    const bool rested = std::exchange(rests_, false);
+    if (rested || !sameView || !sameDisplay) TRY_VOID(dropCopies());
+    if (copySteps_ == 0 && !worker_->wantsFrame()) return {};
+    return copy(radiance, desc);
+}
+
+/// A frame, the next one, and, as these are there by then, what came of each.
+core::Result<void> TruthPanel::copy(const gpu::Image& radiance, const graph::ImageDesc& desc) {
+    const uint32_t step = copySteps_++;
+    if (step < 2) {
+        TRY_VOID(ring_.turn(radiance, desc));
+        return {};
     }
-    TRY(const auto copy, ring_.turn(radiance, desc));
-    // Those still on their way when the view changed show another one.
-    if (!copy || ++copies_ <= 2) return {};
-    core::Image image = execute::toImage(*copy);
-    if (worker_->wantsFrame()) worker_->measure({image, before_, display});
-    before_ = std::move(image);
+    TRY(auto copied, ring_.takeOldest());
+    if (!copied) return dropCopies();
+    if (step == 2) {
+        before_ = std::move(*copied);
+        return {};
+    }
+    worker_->measure({std::move(*copied), std::exchange(before_, {}), display_});
+    copySteps_ = 0;
     return {};
+}
+
+core::Result<void> TruthPanel::dropCopies() {
+    copySteps_ = 0;
+    before_ = {};
+    for (;;) {
+        TRY(const auto copied, ring_.takeOldest());
+        if (!copied) return {};
+    }
 }
 
 void TruthPanel::rest() {
     if (worker_) worker_->rest();
-    view_.reset();
+    rests_ = true;
 }
 
 void TruthPanel::addNode(graph::Frame& frame, const LookChoice& choice) {
     const bool reference = choice.name == kTruthReference;
-    if (!worker_ || !(reference || choice.name == kTruthDifference)) return;
-    const uint64_t pictures = worker_->figures().pictures;
-    if (pictures != pictures_ || wordsName_ != choice.name) {
-        const TruthState state = worker_->state();
-        const core::DisplayImage& picture = reference ? state.reference : state.difference;
-        words_.resize(picture.values.size() / 3);
+    if (!on_ || rests_ || !(reference || choice.name == kTruthDifference)) return;
+    const TruthState state = worker_->state();
+    if (state.pictures != pictures_ || wordsName_ != choice.name) {
+        const auto& picture = reference ? state.reference : state.difference;
+        words_.resize(picture ? picture->values.size() / 3 : 0);
         for (size_t i = 0; i < words_.size(); ++i)
-            words_[i] = 0xff000000u | uint32_t{picture.values[3 * i]} |
-                        uint32_t{picture.values[3 * i + 1]} << 8u |
-                        uint32_t{picture.values[3 * i + 2]} << 16u;
-        wordsExtent_ = {picture.width, picture.height};
-        pictures_ = pictures;
+            words_[i] = 0xff000000u | uint32_t{picture->values[3 * i]} |
+                        uint32_t{picture->values[3 * i + 1]} << 8u |
+                        uint32_t{picture->values[3 * i + 2]} << 16u;
+        if (picture) wordsExtent_ = {picture->width, picture->height};
+        pictures_ = state.pictures;
         wordsName_ = choice.name;
     }
     if (words_.empty()) return;
@@ -117,16 +139,8 @@ void TruthPanel::addNode(graph::Frame& frame, const LookChoice& choice) {
     node.dispatchOver(wordsExtent_);
 }
 
+/// What comes when it is ready takes room from the start: a replay's clicks meet the same buttons.
 void TruthPanel::drawFigures(LookChoice& choice) {
-    if (!worker_) return;
-    const TruthState state = worker_->figures();
-    if (!state.error.empty()) ImGui::TextColored(kAlarm, "%s", state.error.c_str());
-    text(fmt::format("reference: {} samples a pixel, {:.0f} s, own error {:.3f} of the mean",
-                     state.samples, state.seconds, state.relativeError));
-    plot("MSE", state.figures, [](const auto& f) { return std::optional{f.mse}; });
-    plot("MSSIM", state.figures, [](const auto& f) { return std::optional{f.mssim}; });
-    plot("FLIP", state.figures, [](const auto& f) { return std::optional{f.flip}; });
-    plot("flicker (luma of 255)", state.figures, [](const auto& f) { return f.change; });
     for (const auto& [label, name] : {std::pair{"Look at the difference", kTruthDifference},
                                       std::pair{"Look at the reference", kTruthReference}}) {
         if (ImGui::Button(label)) {
@@ -137,6 +151,15 @@ void TruthPanel::drawFigures(LookChoice& choice) {
         ImGui::SameLine();
     }
     ImGui::NewLine();
+    const TruthState state = worker_ && !rests_ ? worker_->state() : TruthState{};
+    const std::string& error = state.error.empty() ? state.measureError : state.error;
+    ImGui::TextColored(kAlarm, "%s", error.empty() ? " " : error.c_str());
+    ImGui::Text("reference: %u samples a pixel, %.0f s", state.samples, state.seconds);
+    ImGui::Text("its own error: %.3f of the mean", state.relativeError);
+    plot("MSE", state.figures, [](const auto& f) { return std::optional{f.mse}; });
+    plot("MSSIM", state.figures, [](const auto& f) { return std::optional{f.mssim}; });
+    plot("FLIP", state.figures, [](const auto& f) { return std::optional{f.flip}; });
+    plot("flicker (luma of 255)", state.figures, [](const auto& f) { return f.change; });
 }
 
 void TruthPanel::draw(const FrameSeen& seen, LookChoice& choice, bool* open) {

@@ -20,31 +20,35 @@ class TruthPanel {
  public:
     static core::Result<TruthPanel> create(gpu::Device& device);
 
-    /// After a frame was drawn whole, outside of its timed range. Copies are looked at two frames
-    /// later.
+    /// After a frame was drawn whole, outside of its timed range. Where one is to be measured, it
+    /// and the next are copied, which are looked at two frames later.
     /// \param radiance  the finished frame, as execute::Executor::outputImage() leaves it
     core::Result<void> follow(const TruthView& view, const core::DisplayTransform& display,
                               const gpu::Image& radiance, const graph::ImageDesc& desc);
-    /// The picture among those above that is looked at, as an image of that name.
+    /// The picture among those above that is looked at, as an image of that name. None while
+    /// nothing is followed.
     void addNode(graph::Frame& frame, const LookChoice& choice);
     void draw(const FrameSeen& seen, LookChoice& choice, bool* open);
     /// Whether follow() wants frames.
     [[nodiscard]] bool on() const { return on_; }
-    /// In each frame in which follow() is not called: nothing is rendered or measured any more.
+    /// In each frame in which follow() is not called: nothing is rendered or measured meanwhile.
     void rest();
     void switchOff() { on_ = false; }
 
  private:
     explicit TruthPanel(execute::CopyRing ring) : ring_(std::move(ring)) {}
+    core::Result<void> copy(const gpu::Image& radiance, const graph::ImageDesc& desc);
+    core::Result<void> dropCopies();
     void drawFigures(LookChoice& choice);
 
     execute::CopyRing ring_;
     std::unique_ptr<TruthWorker> worker_;  ///< none before it is first asked for
     bool on_ = false;
-    std::optional<TruthView> view_;  ///< of the newest frame
-    uint32_t copies_ = 0;            ///< of that view on their way
-    core::Image before_;             ///< the copy before the newest
-    std::vector<uint32_t> words_;    ///< of the picture that is looked at
+    bool rests_ = true;
+    core::DisplayTransform display_;  ///< of the newest frame
+    uint32_t copySteps_ = 0;          ///< of copy()
+    execute::RawImage before_;        ///< the first of two frames
+    std::vector<uint32_t> words_;     ///< of the picture that is looked at
     graph::Extent wordsExtent_{};
     uint64_t pictures_ = 0;  ///< that words_ are of
     std::string wordsName_;

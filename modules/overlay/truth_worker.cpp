@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "evaluation/flicker.h"
 
@@ -45,9 +46,10 @@ core::DisplayImage differenceOf(const core::DisplayImage& a, const core::Display
 /// [F3] between two frames; none where the first is empty or of another size.
 core::Result<std::optional<double>> changeOf(const TruthFrame& frame,
                                              const evaluation::Picture& now) {
-    if (frame.before.width != frame.radiance.width || frame.before.height != frame.radiance.height)
+    if (frame.before.bytes.empty() || frame.before.desc.extent != frame.radiance.desc.extent)
         return std::optional<double>{};
-    TRY(const auto before, evaluation::fromLinear("frame before", frame.before, frame.display));
+    TRY(const auto before,
+        evaluation::fromLinear("frame before", execute::toImage(frame.before), frame.display));
     evaluation::FlickerMeter meter;
     TRY_VOID(meter.add(before.display));
     TRY_VOID(meter.add(now.display));
@@ -56,31 +58,39 @@ core::Result<std::optional<double>> changeOf(const TruthFrame& frame,
 
 struct Measurement {
     TruthFigures figures;
-    core::DisplayImage reference, difference;
+    std::shared_ptr<const core::DisplayImage> reference, difference;
 };
 
 core::Result<Measurement> measureAgainst(const TruthFrame& frame, const core::Image& truth) {
-    TRY(const auto picture, evaluation::fromLinear("frame", frame.radiance, frame.display));
-    TRY(const auto reference, evaluation::fromLinear("reference", truth, frame.display));
+    TRY(const auto picture,
+        evaluation::fromLinear("frame", execute::toImage(frame.radiance), frame.display));
+    TRY(auto reference, evaluation::fromLinear("reference", truth, frame.display));
     TRY(const auto compared, evaluation::compare(picture, reference));
     TRY(const auto change, changeOf(frame, picture));
     Measurement made;
     made.figures = {compared.mse.value, compared.mssim.value, compared.flip.value,
                     compared.relMse.value, change};
-    made.difference = differenceOf(picture.display, reference.display);
-    made.reference = reference.display;
+    made.difference = std::make_shared<const core::DisplayImage>(
+        differenceOf(picture.display, reference.display));
+    made.reference = std::make_shared<const core::DisplayImage>(std::move(reference.display));
     return made;
 }
 
 }  // namespace
 
-bool TruthView::sameAs(const TruthView& o) const {
-    return width == o.width && height == o.height && maxBounces == o.maxBounces &&
-           snapshot.geometryVersion == o.snapshot.geometryVersion &&
-           snapshot.lightVersion == o.snapshot.lightVersion &&
-           snapshot.materialVersion == o.snapshot.materialVersion &&
-           camera.cameraToWorld == o.camera.cameraToWorld &&
-           camera.verticalFovRadians == o.camera.verticalFovRadians;
+TruthKey::TruthKey(const TruthView& view)
+    : geometryVersion(view.snapshot.geometryVersion),
+      lightVersion(view.snapshot.lightVersion),
+      materialVersion(view.snapshot.materialVersion),
+      cameraToWorld(view.camera.cameraToWorld),
+      verticalFovRadians(view.camera.verticalFovRadians),
+      width(view.width),
+      height(view.height),
+      maxBounces(view.maxBounces) {}
+
+bool TruthKey::sameScene(const TruthKey& o) const {
+    return geometryVersion == o.geometryVersion && lightVersion == o.lightVersion &&
+           materialVersion == o.materialVersion;
 }
 
 TruthWorker::TruthWorker() : thread_([this] { run(); }) {}
@@ -94,30 +104,45 @@ TruthWorker::~TruthWorker() {
     thread_.join();
 }
 
-void TruthWorker::follow(const TruthView& view) {
+bool TruthWorker::follow(const TruthView& view) {
+    const TruthKey key(view);
+    const bool same = key_ == key;
+    std::shared_ptr<const Task> begins;
+    if (!same) {
+        key_ = key;
+        stood_ = 0;
+    } else if (stood_ < kStandingFrames && ++stood_ == kStandingFrames) {
+        begins = std::make_shared<const Task>(Task{key, view.snapshot, view.camera});
+    }
     {
         const std::scoped_lock lock(mutex_);
-        if (view_ && view_->sameAs(view)) return;
-        view_ = view;
-        ++views_;
-        frame_.reset();
-        sum_ = {};
-        state_ = {};
+        const bool rested = std::exchange(rests_, false);
+        if (!same) {
+            task_.reset();
+            ++views_;
+            dropFigures();
+            state_.samples = 0;
+            state_.relativeError = state_.seconds = 0.0;
+            state_.error.clear();
+        }
+        if (begins)
+            task_ = std::move(begins);
+        else if (!rested)
+            return same;
     }
     wake_.notify_all();
+    return same;
 }
 
 void TruthWorker::rest() {
     const std::scoped_lock lock(mutex_);
-    if (!view_) return;
-    view_.reset();
-    ++views_;
+    rests_ = true;
     frame_.reset();
 }
 
 bool TruthWorker::wantsFrame() const {
     const std::scoped_lock lock(mutex_);
-    return view_ && !frame_ && state_.samples > 0;
+    return !frame_ && state_.samples > 0;
 }
 
 void TruthWorker::measure(TruthFrame frame) {
@@ -128,21 +153,24 @@ void TruthWorker::measure(TruthFrame frame) {
     wake_.notify_all();
 }
 
+void TruthWorker::forgetFigures() {
+    const std::scoped_lock lock(mutex_);
+    dropFigures();
+}
+
+void TruthWorker::dropFigures() {
+    ++series_;
+    frame_.reset();
+    state_.figures.clear();
+    state_.measureError.clear();
+    state_.reference.reset();
+    state_.difference.reset();
+    ++state_.pictures;
+}
+
 TruthState TruthWorker::state() const {
     const std::scoped_lock lock(mutex_);
     return state_;
-}
-
-TruthState TruthWorker::figures() const {
-    const std::scoped_lock lock(mutex_);
-    TruthState state;
-    state.samples = state_.samples;
-    state.relativeError = state_.relativeError;
-    state.seconds = state_.seconds;
-    state.figures = state_.figures;
-    state.pictures = state_.pictures;
-    state.error = state_.error;
-    return state;
 }
 
 void TruthWorker::run() {
@@ -157,58 +185,71 @@ void TruthWorker::run() {
 
 /// False where there is nothing to refine.
 bool TruthWorker::refine(std::unique_lock<std::mutex>& lock) {
-    if (!view_ || !state_.error.empty() || state_.samples >= kMostSamples) return false;
-    const TruthView view = *view_;
+    if (!task_ || rests_ || !state_.error.empty() || state_.samples >= kMostSamples) return false;
+    const std::shared_ptr<const Task> task = task_;
     const uint64_t asked = views_;
     reference::Settings settings;
-    settings.width = view.width;
-    settings.height = view.height;
-    settings.maxBounces = view.maxBounces;
+    settings.width = task->key.width;
+    settings.height = task->key.height;
+    settings.maxBounces = task->key.maxBounces;
     settings.seed = state_.samples + 1;
     settings.threads = 1;
     const double each = state_.samples > 0 ? state_.seconds / state_.samples : kRoundSeconds;
     settings.samplesPerPixel = std::clamp(
         static_cast<uint32_t>(kRoundSeconds / std::max(each, 1e-3)), kLeastRound, kMostRound);
     lock.unlock();
-    const auto begin = Clock::now();
+    bool stopped = false;
     const auto wanted = [&](uint64_t, uint64_t) {
         const std::scoped_lock held(mutex_);
-        return !ends_ && asked == views_;
+        stopped = ends_ || rests_ || asked != views_;
+        return !stopped;
     };
-    const auto rendered = reference::render(view.snapshot, view.camera, settings, wanted);
+    const auto built = build(*task);
+    const auto begin = Clock::now();  // behind the building, which no further round has
+    const auto rendered =
+        built.ok() ? scene_->render(task->camera, settings, wanted) : built.error();
     const double seconds = secondsSince(begin);
+    if (rendered.ok()) {
+        if (std::exchange(sumOf_, asked) != asked) sum_ = {};  // of nobody but this thread
+        addWeighted(sum_, rendered->final, static_cast<float>(rendered->samplesPerPixel));
+    }
     lock.lock();
-    if (ends_ || asked != views_) return true;  // it is another view by now
+    if (stopped || ends_ || asked != views_) return true;  // another view, or none, by now
     if (!rendered.ok()) {
         state_.error = rendered.error().message;
         return false;
     }
-    const reference::Rendered& round = rendered.value();
-    addWeighted(sum_, round.final, static_cast<float>(round.samplesPerPixel));
-    state_.samples += round.samplesPerPixel;
-    state_.relativeError = round.relativeError *
-                           std::sqrt(static_cast<double>(round.samplesPerPixel) / state_.samples);
+    const uint32_t taken = rendered->samplesPerPixel;
+    state_.samples += taken;
+    state_.relativeError =
+        rendered->relativeError * std::sqrt(static_cast<double>(taken) / state_.samples);
     state_.seconds += seconds;
     return true;
+}
+
+core::Result<void> TruthWorker::build(const Task& task) {
+    if (scene_ && builtFrom_->sameScene(task.key)) return {};
+    scene_.reset();  // before the next one takes memory
+    TRY(scene_, reference::BuiltScene::build(task.snapshot));
+    builtFrom_ = task.key;
+    return {};
 }
 
 void TruthWorker::measureNow(std::unique_lock<std::mutex>& lock) {
     const TruthFrame frame = std::move(*frame_);
     frame_.reset();
-    const uint64_t asked = views_;
-    const core::Image truth = scaled(sum_, 1.0f / static_cast<float>(state_.samples));
+    const uint64_t asked = series_;
+    const uint32_t samples = state_.samples;
     lock.unlock();
-    auto measured = measureAgainst(frame, truth);
+    auto measured = measureAgainst(frame, scaled(sum_, 1.0f / static_cast<float>(samples)));
     lock.lock();
-    if (asked != views_) return;
-    if (!measured.ok()) {
-        state_.error = measured.error().message;
-        return;
-    }
-    state_.figures.push_back(measured.value().figures);
+    if (asked != series_) return;
+    state_.measureError = measured.ok() ? std::string{} : measured.error().message;
+    if (!measured.ok()) return;
+    state_.figures.push_back(measured->figures);
     if (state_.figures.size() > kMostFigures) state_.figures.erase(state_.figures.begin());
-    state_.reference = std::move(measured.value().reference);
-    state_.difference = std::move(measured.value().difference);
+    state_.reference = std::move(measured->reference);
+    state_.difference = std::move(measured->difference);
     ++state_.pictures;
 }
 

@@ -51,14 +51,13 @@ PhotonList addStore(graph::Frame& frame, graph::Buffer staged, graph::Buffer cou
     PhotonList list;
     list.pathOffsets = addPrefixSum(frame, "photon_trace", counts, pathCount);
     list.pathCount = pathCount;
+    list.perPath = photonsPerPath(split, settings.maxBounces, settings.firstHits);
     list.capacity = settings.photonCapacity;
     list.powerScale = split.powerScale;
     auto store = frame.compute("photon_trace/store", shaders::photonStore);
     store.read(shared::SLOT_STAGED_PHOTONS, staged)
         .read(shared::SLOT_PATH_OFFSETS, list.pathOffsets)
-        .push(shared::StoreParams{pathCount,
-                                  photonsPerPath(split, settings.maxBounces, settings.firstHits),
-                                  settings.photonCapacity, 0});
+        .push(shared::StoreParams{pathCount, list.perPath, settings.photonCapacity, 0});
     list.photons = store.write(shared::SLOT_PHOTONS,
                                frame.buffer("photons", {uint64_t{settings.photonCapacity} *
                                                         sizeof(shared::PackedPhoton)}));

@@ -50,6 +50,7 @@ struct PhotonList {
     graph::Buffer ledger{};       ///< shared::LEDGER_FLOATS a workgroup of TRACE_THREADS paths
     graph::Buffer counters{};     ///< shared::FrameCounters, with this batch added
     uint32_t pathCount = 0;
+    uint32_t perPath = 0;  ///< photons, at most
     uint32_t capacity = 0;
     float powerScale = 1.0f;  ///< watts; unit of the photons' powers
 };

@@ -137,20 +137,51 @@ bool showsLight(std::string_view name) {
     return name != "albedo" && name != "normal" && name != "position" && name != "depth";
 }
 
-core::Result<Rendered> render(const scene::SceneSnapshot& snapshot,
-                              const scene::SnapshotCamera& camera, const Settings& settings,
-                              const ProgressFunction& progress) {
+struct BuiltScene::Parts {
+    explicit Parts(RayScene built)
+        : scene(std::move(built)), lights(scene.snapshot()), emitters(scene) {}
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
+
+    RayScene scene;
+    SphereLights lights;
+    Emitters emitters;  ///< refers to the scene beside it
+};
+
+BuiltScene::BuiltScene(std::unique_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+BuiltScene::~BuiltScene() = default;
+BuiltScene::BuiltScene(BuiltScene&&) noexcept = default;
+BuiltScene& BuiltScene::operator=(BuiltScene&&) noexcept = default;
+
+core::Result<BuiltScene> BuiltScene::build(const scene::SceneSnapshot& snapshot) {
+    try {
+        TRY(RayScene scene, RayScene::build(snapshot));
+        return BuiltScene{std::make_unique<const Parts>(std::move(scene))};
+    } catch (const std::bad_alloc&) {
+        return core::error("a scene of {} instances does not fit into memory",
+                           snapshot.instances.size());
+    }
+}
+
+core::Result<Rendered> BuiltScene::render(const scene::SnapshotCamera& camera,
+                                          const Settings& settings,
+                                          const ProgressFunction& progress) const {
     TRY_VOID(checkMemory(settings));
     try {
-        TRY(const RayScene scene, RayScene::build(snapshot));
-        const SphereLights lights(snapshot);
-        const Emitters emitters(scene);
-        const Stage stage{&scene, &lights, &emitters};
+        const Stage stage{&parts_->scene, &parts_->lights, &parts_->emitters};
         return Render(stage, camera, settings, progress).run();
     } catch (const std::bad_alloc&) {
         return core::error("a picture of {}x{} and its scene do not fit into memory",
                            settings.width, settings.height);
     }
+}
+
+core::Result<Rendered> render(const scene::SceneSnapshot& snapshot,
+                              const scene::SnapshotCamera& camera, const Settings& settings,
+                              const ProgressFunction& progress) {
+    TRY_VOID(checkMemory(settings));  // before the scene is built
+    TRY(const BuiltScene scene, BuiltScene::build(snapshot));
+    return scene.render(camera, settings, progress);
 }
 
 }  // namespace lampyris::reference

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string_view>
 
 #include "core/image.h"
@@ -71,6 +72,26 @@ constexpr std::array<std::string_view, 10> kImageNames{"final",
 /// Called now and then, from any one thread at a time: samples taken, and those asked for, of all
 /// pixels together. False stops the render.
 using ProgressFunction = std::function<bool(uint64_t done, uint64_t total)>;
+
+/// A scene that is ready to be rendered: what its renders share, whatever their cameras.
+class BuiltScene {
+ public:
+    /// Errors: a scene that memory does not hold.
+    static core::Result<BuiltScene> build(const scene::SceneSnapshot& snapshot);
+    ~BuiltScene();
+    BuiltScene(BuiltScene&&) noexcept;
+    BuiltScene& operator=(BuiltScene&&) noexcept;
+
+    /// As the function of that name.
+    [[nodiscard]] core::Result<Rendered> render(const scene::SnapshotCamera& camera,
+                                                const Settings& settings,
+                                                const ProgressFunction& progress = {}) const;
+
+ private:
+    struct Parts;
+    explicit BuiltScene(std::unique_ptr<const Parts> parts);
+    std::unique_ptr<const Parts> parts_;
+};
 
 /// Same arguments, same bytes. Errors: a picture or scene that memory does not hold; stopped.
 core::Result<Rendered> render(const scene::SceneSnapshot& snapshot,

@@ -55,7 +55,7 @@ bool isShown(uint channel) { return params.channel >= LOOK_COLOUR ? channel < 3u
 
 void count(vec4 value) {
     bool broken = false;
-    for (uint i = 0u; i < LOOK_CHANNELS; ++i) {
+    for (uint i = 0u; i < params.channels; ++i) {
         if (isnan(value[i]) || isinf(value[i])) {
             broken = true;
             continue;
@@ -83,9 +83,11 @@ void main() {
     ivec2 extent = textureSize(source, 0).xy;
     ivec2 size = imageSize(shown);
     if (all(lessThan(pixel, size))) {
-        vec4 value = valueAt(min(pixel * extent / size, extent - 1));
-        count(value);
-        imageStore(shown, pixel, vec4(colourOf(value), 1.0));
+        ivec2 first = pixel * extent / size;
+        ivec2 end = (pixel + 1) * extent / size;
+        for (int y = first.y; y < end.y; ++y)
+            for (int x = first.x; x < end.x; ++x) count(valueAt(ivec2(x, y)));
+        imageStore(shown, pixel, vec4(colourOf(valueAt(first)), 1.0));
     }
     ivec2 cursor = ivec2(params.cursorX, params.cursorY);
     if (pixel == ivec2(0) && all(lessThan(uvec2(cursor), uvec2(extent)))) {

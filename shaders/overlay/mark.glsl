@@ -14,6 +14,9 @@ const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);  // outside of clip space
 
 uint photonCount() { return min(pathOffsets[params.pathCount], params.capacity); }
 
+// Every so many photons, or paths, one is drawn: they lie emitter by emitter, and all shall be seen. As markStride().
+uint stride() { return max(1u, (max(photonCount(), params.pathCount) + params.most - 1u) / params.most); }
+
 uint bounceOf(PackedPhoton p) { return p.powerDirection.x >> 16; }
 
 vec3 bounceColour(uint bounce) {

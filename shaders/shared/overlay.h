@@ -42,10 +42,10 @@ struct LookParams {
     uint layer;
     uint cursorX;      // texel of the source under the cursor; anything outside: none
     uint cursorY;
-    uint pad0;
+    uint channels;     // that the source has, from red on; absent ones are not counted
 };
 
-// Of the texels that are shown, which may be fewer than there are.
+// Of all texels, also where fewer are shown.
 struct LookFindings {
     vec4 underCursor;
     uvec4 bitsUnderCursor; // of images of whole numbers
@@ -69,7 +69,7 @@ struct MarkParams {
     float brightness;  // a watt's, where colours go by power
     float radiusPixels;
     float width, height; // pixels
-    uint pad0;
+    uint most;         // photons, and paths, that are drawn
 };
 
 // overlay/boxes
@@ -77,7 +77,7 @@ LAMPYRIS_SLOT(SLOT_BOX_NODES, 0u);        // the BVH's, texels RGBA32Uint
 LAMPYRIS_SLOT(SLOT_BOX_ROOT, 1u);         // GpuBvhRoot
 
 struct BoxParams {
-    uint level;        // below the root; what ends above it is left out
+    uint level;        // below the root, from 1; what ends above it is left out
 };
 
 // overlay/heat

@@ -1,6 +1,8 @@
 // The overlay's nodes: panels over a picture, any image as something to look at, marks.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "overlay/image_look.h"
 #include "overlay/marks.h"
@@ -91,6 +93,22 @@ TEST_F(OverlayNodes, IsNotThereWhileHidden) {
     EXPECT_EQ(changed(run(frame, shown), 0, 0, kSize.width, kSize.height), 0u);
     EXPECT_EQ(ran_, std::vector<std::string>{"ground"});
     EXPECT_EQ(overlay.cpuMilliseconds(), 0.0);
+}
+
+TEST_F(OverlayNodes, CountsWhatElseItDoesInAFrame) {
+    Overlay overlay = need(Overlay::create(device()));
+    overlay.begin({}, kSize, kSize, 0.1);
+    overlay.end();
+    {
+        const auto counted = overlay.count();
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    }
+    overlay.begin({}, kSize, kSize, 0.1);
+    EXPECT_GE(overlay.cpuMilliseconds(), 30.0);
+    overlay.end();
+    overlay.begin({}, kSize, kSize, 0.1);
+    EXPECT_LT(overlay.cpuMilliseconds(), 30.0) << "each frame has its own";
+    overlay.end();
 }
 
 TEST_F(OverlayNodes, TakesClicksOnItsPanelsAndLeavesTheOthers) {

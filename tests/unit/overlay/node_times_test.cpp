@@ -51,6 +51,33 @@ TEST(NodeTimes, CountANodeThatDidNotRunAsNothing) {
     EXPECT_EQ(times.rows()[0].gpu, (std::vector<float>{2.0f, 2.0f, 3.0f}));
 }
 
+TEST(NodeTimes, DropTheRowsOfNodesThatNoFrameHasAnyMore) {
+    NodeTimes times;
+    times.add(frameOf({{"a", 1.0, 0.5}, {"b", 2.0, 0.5}}, 3.0));
+    for (size_t i = 0; i < NodeTimes::kFrames - 1; ++i) times.add(frameOf({{"b", 2.0, 0.5}}, 2.0));
+    EXPECT_EQ(times.rows().size(), 2u);
+    times.add(frameOf({{"b", 2.0, 0.5}}, 2.0));
+    ASSERT_EQ(times.rows().size(), 1u);
+    EXPECT_EQ(times.rows()[0].name, "b");
+    times.add(frameOf({{"c", 1.0, 0.5}, {"b", 2.0, 0.5}}, 3.0));
+    ASSERT_EQ(times.rows().size(), 2u);
+    EXPECT_EQ(times.rows()[0].gpu.size(), NodeTimes::kFrames);
+    EXPECT_EQ(times.rows()[0].gpu.back(), 1.0f);
+    EXPECT_EQ(times.rows()[1].gpu.back(), 2.0f);
+}
+
+TEST(NodeTimes, BeginAnewWhenTheyAreCleared) {
+    NodeTimes times(true);
+    times.add(frameOf({{"a/b", 1.0, 0.0}}, 3.0));
+    times.clear();
+    EXPECT_TRUE(times.frames().empty());
+    EXPECT_TRUE(times.rows().empty());
+    EXPECT_TRUE(times.partsApart());
+    times.add(frameOf({{"a/b", 2.0, 0.0}}, 2.0));
+    EXPECT_EQ(times.rows().at(0).gpu, std::vector<float>{2.0f});
+    EXPECT_FLOAT_EQ(times.whole().gpuMedian, 2.0f);
+}
+
 TEST(NodeTimes, AreCopiedAsCsv) {
     NodeTimes times;
     times.add(frameOf({{"a", 1.5, 0.25}}, 1.75));

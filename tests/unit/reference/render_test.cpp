@@ -51,6 +51,19 @@ TEST(Render, GivesTheSameBytesWhateverTheThreads) {
     }
 }
 
+TEST(Render, GivesTheSameBytesOfASceneThatIsBuiltOnce) {
+    auto built = BuiltScene::build(mixed());
+    ASSERT_TRUE(built.ok());
+    const BuiltScene scene = std::move(built).value();  // may be moved
+    const scene::SnapshotCamera other = lookFrom({1, 1.5f, 4}, {0, 0.4f, 0}, 50.0f);
+    const Settings settings = settingsFor(24, 14, 8);
+    for (const scene::SnapshotCamera& camera : {kMixedCamera, other}) {
+        const auto again = scene.render(camera, settings);
+        ASSERT_TRUE(again.ok());
+        EXPECT_EQ(again.value().final.values, rendered(mixed(), camera, settings).final.values);
+    }
+}
+
 TEST(Render, SeedsDrawOtherSamplesOfTheSameLight) {
     Settings settings = settingsFor(32, 18, 32);
     const auto camera = cornell().cameras.front();
