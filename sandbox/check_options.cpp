@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <set>
 
 #include "options.h"
 
@@ -58,12 +59,7 @@ core::Result<void> checkCall(const Options& o) {
     if (o.pipeline == Pipeline::Thesis && o.gather == photon_gi::Gather::Final)
         return core::error("--pipeline thesis gathers from tiles; --gather final needs full");
     TRY_VOID(checkUsed(o));
-    const std::array files{o.output, o.report, o.graph, o.trace};
-    for (size_t i = 0; i < files.size(); ++i)
-        for (size_t j = 0; j < i; ++j)
-            if (!files[i].empty() && files[i] == files[j])
-                return core::error("{} is asked for twice, for different things",
-                                   files[i].string());
+    TRY_VOID(checkDistinct({o.output, o.report, o.graph, o.trace}));
     if (!endsIn(o.output, {".png", ".exr"}))
         return core::error("--output {}: the file must end in .png or .exr", o.output.string());
     if (!endsIn(o.graph, {".dot", ".json"}))
@@ -72,6 +68,19 @@ core::Result<void> checkCall(const Options& o) {
         return core::error("--report {}: the file must end in .json", o.report.string());
     if (!endsIn(o.trace, {".json"}))
         return core::error("--trace {}: the file must end in .json", o.trace.string());
+    return {};
+}
+
+core::Result<void> checkDistinct(const std::vector<std::filesystem::path>& files) {
+    std::set<std::filesystem::path> seen;
+    for (const std::filesystem::path& file : files) {
+        if (file.empty()) continue;
+        std::error_code code;
+        const auto absolute = std::filesystem::absolute(file, code);
+        const auto whole = std::filesystem::weakly_canonical(absolute, code);
+        if (!seen.insert(code ? file : whole).second)
+            return core::error("{} is asked for twice, for different things", file.string());
+    }
     return {};
 }
 

@@ -16,13 +16,21 @@ glm::vec3 direction(const window::Input& input) {
 }
 
 glm::mat3 turned(const glm::mat3& axes, float yaw, float pitch) {
+    if (yaw == 0.0f && pitch == 0.0f) return axes;  // to the last bit: frames come to rest
     const glm::mat3 about = glm::mat3(glm::rotate(glm::mat4(1.0f), yaw, glm::vec3(0, 1, 0))) * axes;
     const glm::mat3 nodded =
         glm::mat3(glm::rotate(glm::mat4(1.0f), pitch, glm::vec3(about[0]))) * about;
-    return std::abs(nodded[2].y) < kSteepest ? nodded : about;
+    // Each product rounds, and always to the same side.
+    return madeRigid(std::abs(nodded[2].y) < kSteepest ? nodded : about);
 }
 
 }  // namespace
+
+glm::mat3 madeRigid(const glm::mat3& axes) {
+    const glm::vec3 z = glm::normalize(axes[2]);
+    const glm::vec3 x = glm::normalize(glm::cross(axes[1], z));
+    return {x, glm::cross(z, x), z};
+}
 
 glm::mat4 fly(const glm::mat4& cameraToWorld, const window::Input& input, float metresPerSecond,
               float seconds) {

@@ -80,11 +80,15 @@ core::Result<std::unique_ptr<FrameLoop>> FrameLoop::open(const Options& options,
 core::Result<void> FrameLoop::beginAnew() {
     TRY_VOID(device_->waitIdle());
     renderer_.emplace(*executor_, accelSettings_);
-    return follow();
+    return followEdits();
 }
 
 core::Result<void> FrameLoop::follow() {
     return renderer_->update(snapshot_.follow(world_, seconds));
+}
+
+core::Result<void> FrameLoop::followEdits() {
+    return renderer_->update(snapshot_.followEdits(world_));
 }
 
 core::Result<LoopFrame> FrameLoop::tryDraw(uint64_t frameNumber, const std::string& readBack,

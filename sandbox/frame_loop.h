@@ -61,6 +61,9 @@ class FrameLoop {
     /// Brings the world to `seconds`, and what changed in it to the renderer. draw() does so
     /// itself.
     core::Result<void> follow();
+    /// The same at the time of the last one: what was edited since is not moved by the world's own
+    /// systems.
+    core::Result<void> followEdits();
 
     /// After an Error of tryDraw(): uploads the scene again, as what was on its way is lost, and
     /// gives back the room that frames had grown to.

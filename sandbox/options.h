@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/display.h"
 #include "core/result.h"
@@ -62,6 +63,8 @@ void addPictureOptions(CLI::App& app, Options& options);
 
 /// What the options ask for together and cannot have: a wrong call.
 core::Result<void> checkCall(const Options& options);
+/// Whether each of these files is another one, however its path is spelt; empty paths are none.
+core::Result<void> checkDistinct(const std::vector<std::filesystem::path>& files);
 /// Whether a file of that path can be written; an empty path asks for none.
 core::Result<void> checkTarget(const std::filesystem::path& path);
 /// Whether the files that the options name can be written, before anything is drawn.

@@ -25,7 +25,8 @@ core::Result<void> checkView(const ViewOptions& options) {
         return core::error("--budget-ms goes by the clock; --record and --replay must not");
     if (!options.record.empty() && !options.replay.empty())
         return core::error("--record and --replay: a replay has no inputs of its own to record");
-    return {};
+    return checkDistinct({options.output, options.report, options.graph, options.trace,
+                          options.flicker, options.settings, options.record, options.replay});
 }
 
 /// A record replayed must give the same bytes.

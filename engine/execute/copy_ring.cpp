@@ -1,7 +1,5 @@
 #include "execute/copy_ring.h"
 
-#include "core/log.h"
-
 namespace lampyris::execute {
 namespace {
 
@@ -26,8 +24,7 @@ core::Result<CopyRing> CopyRing::create(gpu::Device& device) {
 
 CopyRing::~CopyRing() {
     if (slots_.empty()) return;  // moved from
-    const auto idle = device_->waitIdle();
-    if (!idle.ok()) core::logWarning("{}", idle.error().message);
+    device_->settle();
 }
 
 core::Result<std::optional<RawImage>> CopyRing::turn(const gpu::Image& image,

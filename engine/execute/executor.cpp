@@ -2,7 +2,6 @@
 
 #include <iterator>
 
-#include "core/log.h"
 #include "execute/read_back.h"
 #include "execute/recording.h"
 
@@ -27,8 +26,7 @@ core::Result<Executor> Executor::create(gpu::Device& device) {
 
 Executor::~Executor() {
     if (slots_.empty()) return;  // moved from
-    const auto idle = device_->waitIdle();
-    if (!idle.ok()) core::logWarning("{}", idle.error().message);
+    device_->settle();
 }
 
 core::Result<FrameResult> Executor::run(const graph::Frame& frame,

@@ -99,8 +99,7 @@ core::Result<void> Device::begin() {
 
 Device::~Device() {
     if (device_ == VK_NULL_HANDLE) return;
-    const auto idle = waitIdle();
-    if (!idle.ok()) core::logWarning("{}", idle.error().message);
+    settle();
     const auto saved = pipelineCache_.save();
     if (!saved.ok()) core::logDebug("pipeline cache not kept: {}", saved.error().message);
     pipelineCache_ = {};
@@ -136,6 +135,16 @@ void Device::endLabel(VkCommandBuffer commands) const {
 core::Result<void> Device::waitIdle() {
     VK_TRY(vkDeviceWaitIdle(device_));
     return {};
+}
+
+void Device::settle() {
+    const VkResult result = vkDeviceWaitIdle(device_);
+    if (result == VK_SUCCESS) return;
+    const std::string message = vulkanError(result, "vkDeviceWaitIdle").message;
+    if (result == VK_ERROR_DEVICE_LOST)
+        core::logDebug("{}", message);
+    else
+        core::logWarning("{}", message);
 }
 
 std::vector<std::string> Device::validationMessages() const {

@@ -52,6 +52,9 @@ class Device {
     void endLabel(VkCommandBuffer commands) const;
     /// Waits until the device has done all it was given.
     core::Result<void> waitIdle();
+    /// The same before what it uses is destroyed, where no Error can be returned: that it cannot is
+    /// a warning. A lost device is none: the call that met it has said so.
+    void settle();
 
     /// Whether it can show images in a window.
     [[nodiscard]] bool presentable() const { return presentable_; }

@@ -42,6 +42,9 @@ struct MeshInstance {
     MaterialId material;
 };
 
+/// A part of what its parent shows, in a material of its own: who points at it means the parent.
+struct MeshPart {};
+
 /// Weights of the mesh's morph targets. Those that are missing count as 0; what is too many, not.
 /// An entity that has it is deformed: it has vertices, and a BVH, of its own.
 struct MorphWeights {

@@ -111,6 +111,7 @@ class Instantiation {
         for (const assets::ModelPrimitive& primitive : node.primitives) {
             const MeshInstance shown{meshId(primitive.mesh), materials_[primitive.material]};
             drawn.push_back(several ? addEntity(nameOf(node), {}, entity) : entity);
+            if (several) world_.add(drawn.back(), MeshPart{});
             world_.add(drawn.back(), shown);
             const assets::Mesh& mesh = meshOf(shown);
             if (!mesh.morphTargets.empty())

@@ -14,10 +14,15 @@ class LiveSnapshot {
     /// Brings the world to a time (advanceTo), takes over what changed since the last call, and
     /// begins a new tick. The world is the same one at every call.
     const SceneSnapshot& follow(ecs::World& world, double seconds);
+    /// The same while the world's time stands still: no system runs, so what was edited stays as it
+    /// is, where a system would place it too.
+    const SceneSnapshot& followEdits(ecs::World& world);
     /// As of the last follow(); empty before the first.
     [[nodiscard]] const SceneSnapshot& get() const { return snapshot_; }
 
  private:
+    const SceneSnapshot& take(ecs::World& world);
+
     SceneSnapshot snapshot_;
     ecs::Tick seen_ = 0;
 };

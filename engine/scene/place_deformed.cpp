@@ -10,17 +10,18 @@ namespace lampyris::scene {
 
 namespace {
 
-/// The nearest entity at or above all living joints; invalid where they have none in common,
-/// nothing where none lives. Each entity is looked at once, however deep they stand.
-std::optional<ecs::Entity> commonAncestor(const ecs::World& world, const Skin& skin) {
-    std::vector<ecs::Entity> path;                  // of the first living joint, up to its root
+/// The nearest entity at or above all that live; invalid where they have none in common, nothing
+/// where none lives. Each entity is looked at once, however deep they stand.
+std::optional<ecs::Entity> commonAncestor(const ecs::World& world,
+                                          const std::vector<ecs::Entity>& entities) {
+    std::vector<ecs::Entity> path;                  // of the first that lives, up to its root
     std::unordered_map<ecs::Entity, size_t> meets;  // where on the path an entity's own path ends
     size_t common = 0;
     bool any = false;
-    for (const ecs::Entity joint : skin.joints) {
-        if (!world.alive(joint)) continue;
+    for (const ecs::Entity entity : entities) {
+        if (!world.alive(entity)) continue;
         std::vector<ecs::Entity> passed;
-        ecs::Entity e = joint;
+        ecs::Entity e = entity;
         for (; e.valid() && !meets.contains(e); e = ecs::parentOf(world, e)) passed.push_back(e);
         const size_t meeting = e.valid() ? meets[e] : path.size();
         for (const ecs::Entity below : passed) {
@@ -89,13 +90,26 @@ PlacedPose placeDeformed(const ecs::World& world, ecs::Entity entity, const Pose
     if (weights != nullptr) pose.morphWeights = weights->values;
     pose.morphWeights.resize(extents->offsets.size(), 0.0f);
     if (follows) {
-        const std::optional<ecs::Entity> common = commonAncestor(world, *skin);
+        const std::optional<ecs::Entity> common = commonAncestor(world, skin->joints);
         pose.jointMatrices =
             jointMatrices(world, *skin, common.value_or(ecs::Entity{}), extents->joints.size());
         if (common) placed.objectToWorld = worldOf(world, *common);
     }
     placed.pose = std::make_shared<const Pose>(std::move(pose));
     return placed;
+}
+
+ecs::Entity wholeOf(const ecs::World& world, ecs::Entity shown) {
+    if (const auto* skin = world.find<Skin>(shown)) {
+        const auto ofJoints = commonAncestor(world, skin->joints);
+        std::vector<ecs::Entity> all = skin->joints;
+        all.push_back(shown);
+        const auto ofAll = commonAncestor(world, all);
+        if (ofJoints && ofAll->valid()) return *ofAll;
+        if (ofJoints && ofJoints->valid()) return *ofJoints;
+    }
+    const ecs::Entity parent = ecs::parentOf(world, shown);
+    return world.find<MeshPart>(shown) != nullptr && parent.valid() ? parent : shown;
 }
 
 }  // namespace lampyris::scene

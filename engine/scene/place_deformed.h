@@ -1,4 +1,4 @@
-/// \file Where an instance with Skin or MorphWeights stands, and its pose.
+/// \file Where an instance with Skin or MorphWeights stands, its pose, and what moves it.
 #pragma once
 
 #include <memory>
@@ -21,5 +21,10 @@ struct PlacedPose {
 /// all are gone, the instance's own space is.
 [[nodiscard]] PlacedPose placeDeformed(const ecs::World& world, ecs::Entity entity,
                                        const PoseExtents* extents);
+
+/// What is to be moved or deleted so that all of what an instance belongs to is: for a Skin the
+/// nearest entity at or above it and its joints (without one, above its joints alone), for a
+/// MeshPart its parent, otherwise itself.
+[[nodiscard]] ecs::Entity wholeOf(const ecs::World& world, ecs::Entity shown);
 
 }  // namespace lampyris::scene

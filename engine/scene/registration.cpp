@@ -226,6 +226,9 @@ void registerComponents(ecs::Registry& registry) {
         [](const json& text) -> core::Result<Name> { return Name{text.get<std::string>()}; });
     registry.add<Transform>("transform", saveTransform, loadTransform);
     registry.add<MeshInstance>("mesh", saveMeshInstance, loadMeshInstance);
+    registry.add<MeshPart>(
+        "mesh_part", [](const MeshPart&) { return json::object(); },
+        [](const json&) -> core::Result<MeshPart> { return MeshPart{}; });
     registry.add<SphereLight>("sphere_light", saveSphereLight, loadSphereLight);
     registry.add<Camera>("camera", saveCamera, loadCamera);
     registry.add<MorphWeights>(

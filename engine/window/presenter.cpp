@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/log.h"
 #include "gpu/vulkan_result.h"
 #include "gpu/vulkan_struct.h"
 
@@ -111,8 +110,7 @@ Presenter& Presenter::operator=(Presenter&& other) noexcept {
 
 Presenter::~Presenter() {
     if (surface_ == VK_NULL_HANDLE) return;
-    const auto idle = device_->waitIdle();
-    if (!idle.ok()) core::logWarning("{}", idle.error().message);
+    device_->settle();
     swapchain_ = {};
     vkDestroySurfaceKHR(device_->instance(), surface_, nullptr);
 }
@@ -131,10 +129,11 @@ core::Result<Presented> Presenter::present(const gpu::Image& source,
                                            const std::function<void(const Canvas&)>& draw) {
     if (window_->shouldClose()) return Presented::Closed;
     const VkExtent2D size = window_->framebufferSize();
-    if (size.width == 0 || size.height == 0) return Presented::Skipped;
+    if (size.width == 0 || size.height == 0) return skipped();
     if (size.width != swapchain_.extent().width || size.height != swapchain_.extent().height)
         stale_ = true;
     if (stale_) TRY_VOID(renewSwapchain());
+    if (stale_) return skipped();  // no size any more
     Slot& slot = slots_[next_];
     if (slot.pending) TRY_VOID(gpu::waitAndReset(*device_, slot.fence));
     slot.pending = false;
@@ -150,6 +149,11 @@ core::Result<Presented> Presenter::present(const gpu::Image& source,
     slot.pending = true;
     next_ = (next_ + 1) % slots_.size();
     return show(image);
+}
+
+Presented Presenter::skipped() const {
+    // That the window was destroyed may be known only since its size was asked for.
+    return window_->shouldClose() ? Presented::Closed : Presented::Skipped;
 }
 
 core::Result<VkResult> Presenter::acquire(Slot& slot, uint32_t& image) {

@@ -36,7 +36,9 @@ struct Canvas {
 class Presenter {
  public:
     /// The device and the window must outlive it. An Error where the device was made without
-    /// DeviceOptions::presentable, or adopted without VK_KHR_swapchain.
+    /// DeviceOptions::presentable, or adopted without VK_KHR_swapchain. The instance of an adopted
+    /// device must have been made with the extensions that GLFW names for the display
+    /// (glfwGetRequiredInstanceExtensions: VK_KHR_surface and VK_KHR_xcb_surface or the like).
     static core::Result<Presenter> create(gpu::Device& device, Window& window, Encoding encoding);
     Presenter(Presenter&& other) noexcept;
     Presenter& operator=(Presenter&& other) noexcept;
@@ -60,6 +62,7 @@ class Presenter {
     Presenter(gpu::Device& device, Window& window, Encoding encoding)
         : device_(&device), window_(&window), encoding_(encoding) {}
     core::Result<void> renewSwapchain();
+    [[nodiscard]] Presented skipped() const;
     core::Result<VkResult> acquire(Slot& slot, uint32_t& image);
     core::Result<void> record(Slot& slot, const gpu::Image& source, uint32_t image,
                               const std::function<void(const Canvas&)>& draw);

@@ -15,10 +15,27 @@
 namespace lampyris::window {
 namespace {
 
-int openWindows = 0;  // GLFW's end is the end of them all; it is used from one thread alone
+int openWindows = 0;     // GLFW's end is the end of them all; it is used from one thread alone
+bool begunByUs = false;  // and so ended by us
+
+bool isBegun() {
+    const GLFWerrorfun told = glfwSetErrorCallback(nullptr);
+    glfwGetError(nullptr);
+    (void)glfwGetTime();
+    const bool begun = glfwGetError(nullptr) != GLFW_NOT_INITIALIZED;
+    glfwSetErrorCallback(told);
+    return begun;
+}
+
+bool begin() {
+    const bool begun = isBegun();
+    if (glfwInit() != GLFW_TRUE) return false;
+    begunByUs = begunByUs || !begun;
+    return true;
+}
 
 void terminateUnused() {
-    if (openWindows == 0) glfwTerminate();
+    if (openWindows == 0 && std::exchange(begunByUs, false)) glfwTerminate();
 }
 
 std::string glfwMessage() {
@@ -49,6 +66,12 @@ GLFWmonitor* monitorUnder(const Place& place) {
     return count > 0 ? monitors[0] : nullptr;
 }
 
+/// What GLFW 3.3 says of a window that was destroyed is memory that nobody wrote.
+VkExtent2D sizeOrNone(GLFWwindow* window, int width, int height) {
+    if (x11WindowWasDestroyed(window) || width < 0 || height < 0) return {0, 0};
+    return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
+}
+
 }  // namespace
 
 /// One thing that the user did, and where the cursor was. At most one of the three.
@@ -77,7 +100,7 @@ struct Window::State {
 };
 
 core::Result<std::vector<MonitorInfo>> listMonitors() {
-    if (glfwInit() != GLFW_TRUE) return core::error("no display ({})", glfwMessage());
+    if (!begin()) return core::error("no display ({})", glfwMessage());
     std::vector<MonitorInfo> monitors;
     int count = 0;
     GLFWmonitor** const found = glfwGetMonitors(&count);
@@ -94,7 +117,7 @@ core::Result<std::vector<MonitorInfo>> listMonitors() {
 }
 
 core::Result<Window> Window::create(const WindowOptions& options) {
-    if (glfwInit() != GLFW_TRUE) return core::error("no display ({})", glfwMessage());
+    if (!begin()) return core::error("no display ({})", glfwMessage());
     auto state = std::make_unique<State>();
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     state->window =
@@ -222,7 +245,7 @@ VkExtent2D Window::size() const {
     int width = 0;
     int height = 0;
     glfwGetWindowSize(state_->window, &width, &height);
-    return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
+    return sizeOrNone(state_->window, width, height);
 }
 
 VkExtent2D Window::framebufferSize() const {
@@ -230,7 +253,7 @@ VkExtent2D Window::framebufferSize() const {
     int height = 0;
     if (glfwGetWindowAttrib(state_->window, GLFW_ICONIFIED) == GLFW_FALSE)
         glfwGetFramebufferSize(state_->window, &width, &height);
-    return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
+    return sizeOrNone(state_->window, width, height);
 }
 
 void Window::resize(uint32_t width, uint32_t height) {

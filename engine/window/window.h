@@ -1,4 +1,6 @@
-/// \file A GLFW window and what the user does in it. The headless path never comes here.
+/// \file A GLFW window and what the user does in it. The headless path never comes here. Who begins
+/// GLFW ends it: a program that uses it itself calls glfwInit before it comes here, and
+/// glfwTerminate when no Window is left.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -92,9 +94,9 @@ class Window {
     /// Where the connection to the display breaks, the program ends with 1 and one line: nothing
     /// can go on from there. `last` is called before, to write what must not be lost.
     void whenDisplayIsLost(std::function<void()> last);
-    /// In the units of the cursor's position.
+    /// In the units of the cursor's position; 0 by 0 where it was destroyed.
     [[nodiscard]] VkExtent2D size() const;
-    /// In pixels; 0 by 0 while minimised.
+    /// In pixels; 0 by 0 while minimised, and where it was destroyed.
     [[nodiscard]] VkExtent2D framebufferSize() const;
     void resize(uint32_t width, uint32_t height);
     void setTitle(const std::string& title);

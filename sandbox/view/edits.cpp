@@ -1,5 +1,7 @@
 #include "view/edits.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -63,6 +65,30 @@ ecs::Entity spawnBoxAhead(ecs::World& world, const scene::SceneSnapshot& snapsho
     scene::builtin::addBox(mesh, glm::mat4(1.0f), glm::vec3(0.5f * kBoxMetres));
     assets::updateBounds(mesh);
     return scene::spawnMesh(world, std::move(mesh), grey, transform);
+}
+
+Movable movableOf(const ecs::World& world, ecs::Entity entity) {
+    const auto* transform = world.find<scene::Transform>(entity);
+    const auto* light = world.find<scene::SphereLight>(entity);
+    return {transform == nullptr ? scene::Transform{} : *transform,
+            light == nullptr ? scene::SphereLight{} : *light};
+}
+
+bool undone(const Movable& before, const Movable& after, const Movable& now) {
+    const auto gone = [&](auto part, auto field) {
+        const auto& left = after.*part.*field;
+        return before.*part.*field != left && now.*part.*field != left;
+    };
+    return gone(&Movable::transform, &scene::Transform::translation) ||
+           gone(&Movable::transform, &scene::Transform::rotation) ||
+           gone(&Movable::transform, &scene::Transform::scale) ||
+           gone(&Movable::light, &scene::SphereLight::radiusMetres) ||
+           gone(&Movable::light, &scene::SphereLight::powerWatts);
+}
+
+std::string nameOf(const ecs::World& world, ecs::Entity entity) {
+    const auto* name = world.find<scene::Name>(entity);
+    return name == nullptr || name->value.empty() ? "this" : fmt::format("'{}'", name->value);
 }
 
 }  // namespace lampyris::sandbox::view

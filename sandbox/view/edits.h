@@ -1,8 +1,9 @@
-/// \file What the user does to the world: pick, spawn, delete.
+/// \file What the user does to the world: pick, spawn, edit.
 #pragma once
 
 #include "ecs/world.h"
 #include "graph/resource.h"
+#include "scene/components.h"
 #include "scene/snapshot.h"
 
 namespace lampyris::sandbox::view {
@@ -22,5 +23,18 @@ ecs::Entity spawnLightAhead(ecs::World& world, const scene::SceneSnapshot& snaps
                             const scene::SnapshotCamera& camera);
 ecs::Entity spawnBoxAhead(ecs::World& world, const scene::SceneSnapshot& snapshot,
                           const scene::SnapshotCamera& camera);
+
+/// What both an animation and the user may change of an entity; as by default where it has not got
+/// it.
+struct Movable {
+    scene::Transform transform;
+    scene::SphereLight light;
+};
+[[nodiscard]] Movable movableOf(const ecs::World& world, ecs::Entity entity);
+/// Whether something that an edit changed is no longer as it left it.
+[[nodiscard]] bool undone(const Movable& before, const Movable& after, const Movable& now);
+
+/// For the user: its name in quotes, or "this".
+[[nodiscard]] std::string nameOf(const ecs::World& world, ecs::Entity entity);
 
 }  // namespace lampyris::sandbox::view

@@ -26,11 +26,14 @@ struct ViewState {
     float timeScale = 1.0f;
     float renderScale = 1.0f;  ///< picture pixels a window pixel, an axis
     bool walks = false;
-    std::optional<double> timestep, startSeconds;  ///< of a record: seconds a frame, and the first
+    // Of a record: seconds a frame and of the first, and what the panels' default buttons set.
+    std::optional<double> timestep, startSeconds;
+    std::optional<photon_gi::Settings> defaults;
 };
 
 /// Reads what the file names into `state`, and leaves the rest as it is; a file that is not there
-/// names nothing. Errors name the file and the value that is wrong, and change nothing.
+/// names nothing. Errors name the file and the key that is unknown, or its value that is wrong, and
+/// change nothing.
 core::Result<void> readState(const std::filesystem::path& path, ViewState& state);
 core::Result<void> writeState(const std::filesystem::path& path, const ViewState& state);
 

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/image_io.h"
 #include "core/log.h"
 #include "display.h"
 #include "fly_camera.h"
-#include "overlay/setting_list.h"
+#include "scene/place_deformed.h"
 #include "scene/registration.h"
 #include "steer_player.h"
-#include "view/edits.h"
+#include "view/given_options.h"
+#include "view/screenshot.h"
 
 namespace lampyris::sandbox::view {
 namespace {
@@ -28,6 +28,7 @@ constexpr double kTimestep = 1.0 / 60.0;  // seconds a frame, where --timestep d
 // [measured] courtyard at 1280x720 takes 5 s a frame on lavapipe with 2 cores, a sixteenth 0.6 s.
 constexpr float kCpuRenderScale = 0.25f;
 constexpr float kMostTimeScale = 32.0f;
+constexpr float kLeastTimeScale = 1.0f / kMostTimeScale;
 constexpr double kClickPixels = 4.0;  // a drag shorter than that is a click
 
 bool isFinite(const glm::mat4& matrix) {
@@ -46,33 +47,8 @@ graph::Extent scaled(graph::Extent size, float scale) {
 /// The picture as large as the window, for what is drawn over it.
 graph::Image addEnlarged(graph::Frame& frame, graph::Image shown, graph::Extent size) {
     if (frame.desc(shown).extent == size) return shown;
-    auto node = frame.transfer("composite/enlarge");
+    auto node = frame.transfer("overlay/enlarge");
     return node.blit(shown, frame.image("window", {frame.desc(shown).format, size}));
-}
-
-/// Options that were given stand against what a file says, and so does what follows from them.
-void overrideBy(const ViewOptions& options, ViewState& state) {
-    const photon_gi::Settings asked = settingsOf(options);
-    const photon_gi::Settings usual = settingsOf(Options{});
-    const bool preset = options.given.count("--quality") + options.given.count("--pipeline") +
-                            options.given.count("--gather") >
-                        0;
-    if (preset) state.settings = asked;  // these say what all others begin with
-    for (const overlay::SettingInfo& info : overlay::settingList()) {
-        std::string option = fmt::format("--{}", info.name);
-        std::replace(option.begin(), option.end(), ' ', '-');
-        const bool given = options.given.count(option) > 0;
-        const auto take = [&](auto field) {
-            if (given || asked.*field != usual.*field) state.settings.*field = asked.*field;
-        };
-        std::visit(take, info.field);
-    }
-    if (options.given.count("--exposure") > 0)
-        state.display.exposureEv = options.display.exposureEv;
-    if (options.given.count("--tonemap") > 0) state.display.tonemap = options.display.tonemap;
-    if (options.given.count("--overlay") > 0) state.overlay = options.overlay;
-    if (options.given.count("--camera") > 0) state.cameraToWorld.reset();
-    if (options.renderScale) state.renderScale = *options.renderScale;
 }
 
 InputHead viewedBy(const ViewOptions& options) {
@@ -107,7 +83,10 @@ core::Result<void> Viewer::prepare() {
     photon_gi::mend(state_.settings);
     if (!options_.replay.empty()) {
         TRY(InputLog log, readInputLog(options_.replay, viewedBy(options_)));
-        TRY_VOID(parseState(log.state, state_));
+        const auto parsed = parseState(log.state, state_);
+        if (!parsed.ok())
+            return core::error("{}:1: {}", options_.replay.string(), parsed.error().message);
+        defaults_ = state_.defaults.value_or(defaults_);  // older logs do not say
         timestep_ = state_.timestep.value_or(timestep_);
         startSeconds_ = state_.startSeconds.value_or(startSeconds_);
         replayed_ = std::move(log.moments);
@@ -117,6 +96,7 @@ core::Result<void> Viewer::prepare() {
         ViewState begun = state_;
         begun.timestep = timestep_;
         begun.startSeconds = startSeconds_;
+        begun.defaults = defaults_;
         recorder_.emplace(viewedBy(options_), stateText(begun));
     }
     budget_.asked = state_.settings;
@@ -172,18 +152,28 @@ core::Result<void> Viewer::drawAll() {
         meetWishes();
         TRY_VOID(draw(*moment, i));
         if (i >= options_.warmup.value_or(0)) rate_.add(Clock::now());
-        if (!play_.paused || std::exchange(play_.step, false))
-            loop_.seconds += static_cast<double>(play_.timeScale) * timestep_;
+        loop_.seconds += sceneStep();
+        play_.step = false;
         ++i;
     }
     return {};
 }
 
+double Viewer::sceneStep() const {
+    if (play_.paused && !play_.step) return 0.0;
+    return static_cast<double>(play_.timeScale) * timestep_;
+}
+
 core::Result<void> Viewer::keep() {
-    if (recorder_) TRY_VOID(recorder_->write(options_.record));
+    const auto recorded = recorder_ ? recorder_->write(options_.record) : core::Result<void>{};
+    const auto kept = keepSettings();
+    return recorded.ok() ? kept : recorded;
+}
+
+core::Result<void> Viewer::keepSettings() {
     if (options_.settings.empty() || !replayed_.empty()) return {};  // a replay is not the user's
-    if (!drewWith_) return {};  // nobody has seen what would be written
-    state_.settings = budget_.asked;
+    if (!lastDrawn_.asked()) return {};  // nobody has seen what would be written
+    state_.settings = *lastDrawn_.asked();
     state_.panels = panels_->open;
     state_.overlay = overlay_->visible();
     state_.cameraToWorld = loop_.request.camera.cameraToWorld;
@@ -191,7 +181,7 @@ core::Result<void> Viewer::keep() {
     state_.walks = play_.walks;
     state_.renderScale = play_.renderScale;
     state_.fullScreen = window_.fullScreen();
-    if (!state_.fullScreen && windowSize_) state_.size = windowSize_;
+    if (windowedSize_) state_.size = windowedSize_;
     return writeState(options_.settings, state_);
 }
 
@@ -227,6 +217,7 @@ std::optional<Moment> Viewer::nextMoment() {
     if (!replayed_.empty()) return replayed_[nextReplayed_++];
     const VkExtent2D size = window_.framebufferSize();
     if (size.width == 0 || size.height == 0) return std::nullopt;
+    noteWindowedSize({size.width, size.height});
     const auto now = Clock::now();
     const std::chrono::duration<float> passed = now - std::exchange(lastPoll_, now);
     const VkExtent2D units = window_.size();
@@ -234,6 +225,15 @@ std::optional<Moment> Viewer::nextMoment() {
                   std::min(passed.count(), kLongestStep),
                   {std::max(units.width, 1u), std::max(units.height, 1u)},
                   {size.width, size.height}};
+}
+
+void Viewer::noteWindowedSize(graph::Extent size) {
+    if (window_.fullScreen()) {
+        fullScreenSize_ = size;
+    } else if (size != fullScreenSize_) {  // which it may still have for a while
+        windowedSize_ = size;
+        fullScreenSize_.reset();
+    }
 }
 
 void Viewer::takeKeys(const Moment& moment) {
@@ -248,8 +248,10 @@ void Viewer::takeKeys(const Moment& moment) {
     if (overlay_->typing()) return;
     if (in.wasPressed(' ')) play_.paused = !play_.paused;
     if (in.wasPressed('.')) play_.step = play_.paused;
-    if (in.wasPressed('[')) play_.timeScale *= 0.5f;
-    if (in.wasPressed(']') && std::abs(play_.timeScale) < kMostTimeScale) play_.timeScale *= 2.0f;
+    const float fast = std::abs(play_.timeScale);
+    if (in.wasPressed('[') && fast > kLeastTimeScale) play_.timeScale *= 0.5f;
+    if (in.wasPressed(']') && fast < kMostTimeScale)
+        play_.timeScale = fast < kLeastTimeScale ? kLeastTimeScale : 2.0f * play_.timeScale;
     if (in.wasPressed('C')) play_.walks = !play_.walks;
     if (in.wasPressed('1')) play_.handles = overlay::HandleKind::Move;
     if (in.wasPressed('2')) play_.handles = overlay::HandleKind::Rotate;
@@ -261,8 +263,9 @@ void Viewer::takeKeys(const Moment& moment) {
 
 void Viewer::drawPanels(const Moment& moment) {
     handlesHot_ = false;
+    edit_.reset();
     overlay_->begin(moment.input, moment.windowSize, moment.size, moment.seconds);
-    if (!overlay_->visible() || !last_) return;
+    if (!overlay_->visible() || !last_) return overlay_->end();
     const overlay::FrameSeen seen{last_->outcome.statistics,
                                   last_->declared,
                                   last_->outcome.graph,
@@ -275,6 +278,8 @@ void Viewer::drawPanels(const Moment& moment) {
                                   budget_.asked,  defaults_,
                                   state_.display, repeatable() ? nullptr : &budgetMilliseconds_,
                                   budget_.state()};
+    const ecs::Entity edited = selected_;
+    const Movable before = movableOf(loop_.world(), edited);
     const auto shaders = shaders_.status();
     panels_->draw(seen, loop_.renderer().paths(), edits, shaders, &play_);
     if (loop_.world().alive(selected_)) {
@@ -282,6 +287,7 @@ void Viewer::drawPanels(const Moment& moment) {
         handlesHot_ = handles_.draw(loop_.world(), selected_, loop_.request.camera, moment.size);
     }
     overlay_->end();
+    edit_ = Edit{edited, before, movableOf(loop_.world(), edited)};
 }
 
 /// A click picks, a drag turns the camera; both only where neither panels nor handles lie.
@@ -299,13 +305,13 @@ bool Viewer::useMouse(const Moment& moment) {
     if (draggedPixels_ > kClickPixels) return dragged;
     const double scale =
         static_cast<double>(moment.size.width) / static_cast<double>(moment.windowSize.width);
-    selected_ = pick(loop_.snapshot(), loop_.request.camera, moment.size, in.cursorX * scale,
-                     in.cursorY * scale);
+    selected_ =
+        scene::wholeOf(loop_.world(), pick(loop_.snapshot(), loop_.request.camera, moment.size,
+                                           in.cursorX * scale, in.cursorY * scale));
     return dragged;
 }
 
 void Viewer::moveCamera(const Moment& moment, bool turns) {
-    windowSize_ = moment.size;
     loop_.request.size = scaled(moment.size, play_.renderScale);
     window::Input input = moment.input;
     input.buttons[0] = turns;
@@ -315,13 +321,15 @@ void Viewer::moveCamera(const Moment& moment, bool turns) {
     if (play_.walks) {
         moved = walk_.walk(moved, input, loop_.snapshot(), moment.seconds);
     } else {
-        const float across =
-            std::min(glm::length(loop_.snapshot().boundsWorld.extent()), kMostAcross);
-        const float pace = across / kSecondsAcross * (input.shift() ? kFast : 1.0f);
+        const float across = glm::length(loop_.snapshot().boundsWorld.extent());
+        if (across > 0.0f) metresAcross_ = std::min(across, kMostAcross);
+        const float pace = metresAcross_ / kSecondsAcross * (input.shift() ? kFast : 1.0f);
         moved = fly(moved, input, pace, moment.seconds);
     }
     if (isFinite(moved)) camera.cameraToWorld = moved;
-    steerPlayer(loop_.world(), camera.cameraToWorld, input, moment.seconds);
+    // Whoever looks is free of the game's time; who is in it is not.
+    const auto seconds = static_cast<float>(std::abs(sceneStep()));
+    steerPlayer(loop_.world(), camera.cameraToWorld, input, seconds);
 }
 
 void Viewer::meetWishes() {
@@ -347,7 +355,9 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
             frame.output(plain);
             frame.publish("screenshot", plain);
         }
+        graph::Image picture;
         if (overlay_->visible()) {
+            const auto counted = overlay_->count();
             if (panels_->truth.on()) {
                 // What is shown again lies in a history image, which is not copied from.
                 auto node = frame.transfer("overlay/truth_copy");
@@ -358,9 +368,9 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
             shown = overlay::addMarks(frame, drawn.insides, panels_->marks, shown);
             panels_->truth.addNode(frame, panels_->look.choice);
             shown = addEnlarged(frame, shown, moment.size);
-            const graph::Image picture = panels_->look.addNode(frame);
-            shown = overlay_->addNode(frame, shown, picture);
+            picture = panels_->look.addNode(frame);
         }
+        shown = overlay_->addNode(frame, shown, picture);
         if (saves && withOverlay_) frame.publish("screenshot", shown);
         frame.output(shown);
     };
@@ -370,7 +380,7 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
     if (!repeatable()) shaders_.update(loop_);
     budget_.setMilliseconds(budgetMilliseconds_);
     budget_.choose(loop_);
-    TRY_VOID(loop_.follow());
+    TRY_VOID(follow());
     auto drawn = loop_.tryDraw(number, saves ? std::string("screenshot") : std::string{}, addNodes);
     if (!drawn.ok()) {
         play_.screenshot = saves;
@@ -379,13 +389,14 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
     LoopFrame frame = std::move(*drawn);
     budget_.learn(frame);
     const bool whole = frame.outcome.report.valid;
-    if (whole) drewWith_ = budget_.asked;
+    if (whole) lastDrawn_.drew(budget_.asked, loop_.request.settings);
     if (saves && whole) saveScreenshot(frame, number);
     if (saves && !whole) play_.screenshot = true;  // the next one
     if (watch_ && whole)
         TRY_VOID(
             watch_->follow(loop_, loop_.executor().outputImage(plain), frame.declared.desc(plain)));
     if (whole && radiance.valid()) {
+        const auto counted = overlay_->count();
         const graph::Extent size = loop_.request.size;
         const overlay::TruthView view{loop_.snapshot(), loop_.request.camera, size.width,
                                       size.height, loop_.request.settings.maxBounces};
@@ -394,8 +405,12 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
     }
     if (!radiance.valid()) panels_->truth.rest();
     TRY_VOID(present(frame, shown));
-    if (overlay_->visible() && whole)
-        panels_->timing.add(frame.outcome.statistics, overlay_->cpuMilliseconds());
+    if (overlay_->visible() && whole) {
+        const auto counted = overlay_->count();
+        // By the settings that are asked for: what a budget does to them is a part of the series.
+        panels_->timing.add(frame.outcome.statistics, overlay_->cpuMilliseconds(),
+                            {budget_.asked, loop_.request.size});
+    }
     if (whole && number >= options_.warmup.value_or(0) && wantsMeasurements()) {
         trace_.add(frame.outcome.statistics);
         measured_.add(frame);
@@ -404,10 +419,23 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
     return {};
 }
 
+core::Result<void> Viewer::follow() {
+    if (followedSeconds_ == loop_.seconds) return loop_.followEdits();
+    TRY_VOID(loop_.follow());
+    followedSeconds_ = loop_.seconds;
+    if (!edit_ || !loop_.world().alive(edit_->entity)) return {};
+    if (undone(edit_->before, edit_->after, movableOf(loop_.world(), edit_->entity)))
+        play_.message =
+            nameOf(loop_.world(), edit_->entity) + " is moved by its animation; pause to edit it";
+    return {};
+}
+
 core::Result<void> Viewer::goBack(const core::Error& error) {
-    if (!drewWith_ || *drewWith_ == budget_.asked) return error;
+    if (!loop_.device().waitIdle().ok()) return error;  // it is lost
+    const auto instead = lastDrawn_.insteadOf(budget_.asked, loop_.request.settings);
+    if (!instead) return error;
     core::logWarning("{}; back to the last settings that drew", error.message);
-    budget_.asked = *drewWith_;
+    budget_.asked = *instead;
     return loop_.beginAnew();
 }
 
@@ -423,14 +451,10 @@ core::Result<void> Viewer::present(const LoopFrame& frame, graph::Image shown) {
 void Viewer::saveScreenshot(const LoopFrame& frame, uint64_t number) {
     const std::filesystem::path folder =
         options_.screenshots.empty() ? std::filesystem::path(".") : options_.screenshots;
-    const auto path = folder / fmt::format("lampyris_{:06}.png", number);
-    const core::Image& image = frame.outcome.image;
-    core::DisplayImage picture{image.width, image.height, {}};
-    picture.values.reserve(size_t{image.width} * image.height * 3);
-    for (size_t i = 0; i < image.values.size(); ++i)
-        if (i % 4 != 3)
-            picture.values.push_back(static_cast<uint8_t>(std::lround(255.0f * image.values[i])));
-    const auto written = core::writePng(path, picture);
+    const auto wanted = folder / fmt::format("lampyris_{:06}.png", number);
+    const auto path = replayed_.empty() ? freePath(wanted) : wanted;
+    const auto written = writeScreenshot(path, frame.outcome.image);
+    withOverlay_ = false;
     play_.message = written.ok() ? "saved " + path.string() : written.error().message;
     if (!written.ok()) core::logWarning("{}", written.error().message);
 }

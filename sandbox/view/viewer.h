@@ -12,8 +12,10 @@
 #include "overlay/panels.h"
 #include "results.h"
 #include "shader_watch.h"
+#include "view/edits.h"
 #include "view/frame_rate.h"
 #include "view/input_log.h"
+#include "view/last_drawn.h"
 #include "view/settings_file.h"
 #include "view/view_options.h"
 #include "view/walk_camera.h"
@@ -36,13 +38,17 @@ class Viewer {
     core::Result<void> prepare();
     /// Writes settings and recorded inputs.
     core::Result<void> keep();
+    core::Result<void> keepSettings();
     core::Result<void> drawAll();
     core::Result<void> finish();
     /// --render-scale, the file's, or what the device can do.
     [[nodiscard]] float firstRenderScale() const;
+    /// Seconds from this frame to the next, of the scene's time.
+    [[nodiscard]] double sceneStep() const;
     [[nodiscard]] bool isLast(uint64_t frame) const;
     /// What happens next: from the window, or from the log. None while minimised.
     std::optional<Moment> nextMoment();
+    void noteWindowedSize(graph::Extent size);
 
     void takeKeys(const Moment& moment);
     void drawPanels(const Moment& moment);
@@ -52,6 +58,9 @@ class Viewer {
     void meetWishes();
 
     core::Result<void> draw(const Moment& moment, uint64_t number);
+    /// Brings the world to its time. While that stands still, edits of what moves stay; where they
+    /// are undone, the user is told why.
+    core::Result<void> follow();
     /// After a frame that failed: to the settings of one that did not, where they are others.
     core::Result<void> goBack(const core::Error& error);
     core::Result<void> present(const LoopFrame& frame, graph::Image shown);
@@ -72,16 +81,24 @@ class Viewer {
     LiveBudget budget_;  ///< holds the settings that are asked for
     std::optional<double> budgetMilliseconds_;
     photon_gi::Settings defaults_;
-    std::optional<photon_gi::Settings> drewWith_;  ///< asked for when a frame last came out
-    double timestep_ = 0.0;                        ///< seconds a frame
-    double startSeconds_ = 0.0;                    ///< of the scene's time
+    LastDrawn lastDrawn_;
+    double timestep_ = 0.0;      ///< seconds a frame
+    double startSeconds_ = 0.0;  ///< of the scene's time
     ecs::Registry registry_;
     std::optional<overlay::Overlay> overlay_;
     std::optional<overlay::Panels> panels_;
     overlay::PlayControls play_;
     overlay::Handles handles_;
     ecs::Entity selected_;
-    std::optional<graph::Extent> windowSize_;  ///< pixels, of the last frame
+    struct Edit {
+        ecs::Entity entity;
+        Movable before, after;
+    };
+    std::optional<Edit> edit_;               ///< what panels and handles did in this frame, if any
+    std::optional<double> followedSeconds_;  ///< of the scene's time, at the last follow()
+    float metresAcross_ = 10.0f;             ///< the scene, while something was in it
+    std::optional<graph::Extent> windowedSize_;    ///< pixels, when it was last not full screen
+    std::optional<graph::Extent> fullScreenSize_;  ///< likewise, when it last was
     WalkCamera walk_;
     std::optional<LoopFrame> last_;  ///< the last frame, for the panels
 

@@ -35,6 +35,12 @@ glm::vec3 heldUp(const scene::SceneSnapshot& snapshot, const glm::vec3& eye, glm
     return step;
 }
 
+/// The height of an eye that stands there; its own over no ground, where it hovers.
+float standingAt(const scene::SceneSnapshot& snapshot, const glm::vec3& eye) {
+    const auto ground = scene::castRay(snapshot, eye, glm::vec3(0, -1, 0));
+    return ground ? ground->positionWorld.y + WalkCamera::kEyeMetres : eye.y;
+}
+
 }  // namespace
 
 glm::mat4 WalkCamera::walk(const glm::mat4& cameraToWorld, const window::Input& input,
@@ -54,9 +60,13 @@ glm::mat4 WalkCamera::walk(const glm::mat4& cameraToWorld, const window::Input& 
     if (glm::length(wish) > 1.0f) wish = glm::normalize(wish);
     const float pace = kMetresPerSecond * (input.shift() ? kRun : 1.0f);
     glm::vec3 eye(camera[3]);
-    eye += heldUp(snapshot, eye, wish * (pace * seconds));
-    const auto ground = scene::castRay(snapshot, eye, glm::vec3(0, -1, 0));
-    const float floor = ground ? ground->positionWorld.y + kEyeMetres : eye.y;  // no ground: hovers
+    const glm::vec3 step = heldUp(snapshot, eye, wish * (pace * seconds));
+    const float height = eye.y;
+    float floor = standingAt(snapshot, eye + step);
+    if (step != glm::vec3(0.0f) && floor > height + kStepMetres)
+        floor = standingAt(snapshot, eye);  // a table, say
+    else
+        eye += step;
     fallMetresPerSecond_ = eye.y > floor ? fallMetresPerSecond_ + kGravity * seconds : 0.0f;
     eye.y = std::max(floor, eye.y - fallMetresPerSecond_ * seconds);
     if (eye.y <= floor) fallMetresPerSecond_ = 0.0f;

@@ -164,6 +164,48 @@ TEST_F(ViewOverlay, ComesBackFromTheTaskBarAndFromFullScreen) {
     expectQuietEnd(*view);
 }
 
+TEST_F(ViewOverlay, KeepsTheSizeOfItsWindowWhereItEndsInFullScreen) {
+    const auto manager = startManager();
+    const std::string file = folder_ / "a.json";
+    const auto view = startView({"--size", "200x120", "--pipeline", "direct", "--settings", file});
+    ASSERT_TRUE(showsFrames(*view));
+    (void)ask({"search", "--name", "lampyris: cornell", "windowactivate", "--sync"});
+    press("F11");
+    EXPECT_TRUE(eventually([&] {
+        return ask({"search", "--name", "lampyris: cornell", "getwindowgeometry"})
+                   .find("1360x800") != std::string::npos;
+    }));
+    press("Escape");
+    expectQuietEnd(*view);
+    EXPECT_EQ(jsonOf(file)["full_screen"], true);
+    EXPECT_EQ(jsonOf(file)["size"], (nlohmann::json{200, 120}));
+}
+
+TEST_F(ViewOverlay, KeepsItsSettingsWhereTheRecordHasNoPlaceAnyMore) {
+    std::filesystem::create_directories(folder_ / "gone");
+    const std::string file = folder_ / "a.json";
+    const auto view = startView({"--size", "64x36", "--pipeline", "direct", "--settings", file,
+                                 "--record", folder_ / "gone/log"});
+    ASSERT_TRUE(showsFrames(*view));
+    std::filesystem::remove_all(folder_ / "gone");
+    focus();
+    press("Escape");
+    expectFailure(view->wait(kViewSeconds), "gone/log");
+    EXPECT_TRUE(jsonOf(file).contains("settings"));
+}
+
+TEST_F(ViewOverlay, GetsTimeGoingAgainFromAScaleOfZero) {
+    const std::string file = folder_ / "a.json";
+    ASSERT_TRUE(core::writeFile(file, std::string(R"({"time_scale":0})")).ok());
+    const auto view = startView({"--size", "64x36", "--pipeline", "direct", "--settings", file});
+    ASSERT_TRUE(showsFrames(*view));
+    focus();
+    press("bracketright");
+    press("Escape");
+    expectQuietEnd(*view);
+    EXPECT_EQ(jsonOf(file)["time_scale"], 0.03125);
+}
+
 TEST_F(ViewOverlay, EndsWhereItIsClosedWhileItLoads) {
     const std::string file = folder_ / "a.json";
     const auto view =
@@ -242,6 +284,16 @@ TEST_F(ViewOverlay, RefusesFilesThatAreNone) {
     const auto view = startView({"--settings", wrong});
     expectFailure(view->wait(kViewSeconds), "a.json: settings.photons");
     EXPECT_EQ(textOf(wrong), R"({"settings":{"photons":-1}})");
+    const std::string others = write("package.json", R"({"name":"npm","version":"1.0.0"})");
+    const auto packages = startView({"--settings", others});
+    expectFailure(packages->wait(kViewSeconds), "package.json: name: there is no such key");
+    EXPECT_EQ(textOf(others), R"({"name":"npm","version":"1.0.0"})");
+    const std::string head = R"({"lampyris_inputs":1,"state":{"exposure":"dim"}})";
+    const std::string moment =
+        R"({"seconds":0.1,"window":[64,36],"size":[64,36],"held":[],"pressed":[],"buttons":[],)"
+        R"("clicked":[],"typed":[],"cursor":[0,0],"moved":[0,0],"scrolled":0})";
+    const auto dim = startView({"--replay", write("dim.log", head + "\n" + moment + "\n")});
+    expectFailure(dim->wait(kViewSeconds), "dim.log:1: exposure: \"dim\" is no number");
     const auto replay = startView({"--replay", write("log", "no log")});
     expectFailure(replay->wait(kViewSeconds), "log:1:");
     expectWrongCall(lampyris({"view", "cornell", "--record", "a", "--replay", "b"}), "--replay");

@@ -43,6 +43,18 @@ TEST(WrongCall, BudgetsAreOfViewsFinalGather) {
                     "--shaders");
 }
 
+TEST(WrongCall, NoFileIsForTwoThings) {
+    for (const Arguments& more : {Arguments{"--settings", "a.json", "--record", "a.json"},
+                                  {"--settings", "./a.json", "--report", "a.json"},
+                                  {"--flicker", "a", "--record", "a"},
+                                  {"--settings", "a", "--replay", "a"}}) {
+        Arguments arguments{"view", "cornell"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        expectWrongCall(lampyris(arguments), "asked for twice");
+    }
+    EXPECT_FALSE(std::filesystem::exists("a.json"));
+}
+
 TEST(WrongCall, LeavesNoFile) {
     const ScratchFolder folder;
     const std::vector<std::pair<Arguments, std::string>> calls{

@@ -1,6 +1,8 @@
 // Runs under an X server of its own (Xvfb), whose screen is a file that the test reads.
 #include "window/window.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +15,7 @@
 #include "execute/executor.h"
 #include "support/gpu_test.h"
 #include "support/screen_file.h"
+#include "window/monitors.h"
 #include "window/presenter.h"
 
 namespace lampyris {
@@ -289,6 +292,24 @@ TEST(NoDisplay, IsAnErrorThatSaysSo) {
     if (!kept.empty()) ::setenv("DISPLAY", kept.c_str(), 1);
 }
 
+TEST_F(WindowTest, LeavesGlfwToAProgramThatBeganIt) {
+    const auto isBegun = [] {
+        glfwGetError(nullptr);
+        (void)glfwGetTime();
+        return glfwGetError(nullptr) != GLFW_NOT_INITIALIZED;
+    };
+    EXPECT_FALSE(isBegun()) << "no window of ours is left";
+    ASSERT_EQ(glfwInit(), GLFW_TRUE);
+    EXPECT_TRUE(window::listMonitors().ok());
+    EXPECT_TRUE(isBegun());
+    (void)need(window::Window::create({"ours", 100, 100}));
+    EXPECT_TRUE(isBegun());
+    glfwTerminate();
+    (void)need(window::Window::create({"ours", 100, 100}));
+    EXPECT_TRUE(window::listMonitors().ok());
+    EXPECT_FALSE(isBegun());
+}
+
 // Last: what X says of a destroyed window is remembered.
 TEST_F(WindowTest, ZSurvivesItsOwnDestruction) {
     auto window = need(window::Window::create({"victim", 200, 200}));
@@ -301,6 +322,12 @@ TEST_F(WindowTest, ZSurvivesItsOwnDestruction) {
     }
     if (!xdotool("search --sync --name victim windowclose"))
         GTEST_SKIP() << "xdotool is not installed";
+    // Asked before any other call told of it.
+    for (int i = 0; i < 50 && window.framebufferSize().width != 0; ++i) ::usleep(10'000);
+    EXPECT_EQ(window.framebufferSize().width, 0u);
+    EXPECT_EQ(window.framebufferSize().height, 0u);
+    EXPECT_EQ(window.size().width, 0u);
+    EXPECT_TRUE(window.shouldClose());
     auto presented = window::Presented::Shown;
     for (int i = 0; i < 50 && presented != window::Presented::Closed; ++i) {
         window.poll();

@@ -48,5 +48,22 @@ TEST(FlyCamera, DraggingTurnsItAndItStaysUpright) {
     expectNear(glm::cross(glm::vec3(down[0]), glm::vec3(down[1])), glm::vec3(down[2]));
 }
 
+TEST(FlyCamera, StaysRigidHoweverOftenItTurns) {
+    window::Input input;
+    input.buttons[0] = true;
+    glm::mat4 camera(1.0f);
+    for (int i = 0; i < 200'000; ++i) {
+        input.movedX = 7.0 + i % 5;
+        input.movedY = i % 200 < 100 ? 3.0 : -3.0;
+        camera = fly(camera, input, 1.0f, 0.0f);
+    }
+    const glm::mat3 axes(camera);
+    const glm::mat3 gram = glm::transpose(axes) * axes;
+    for (int i = 0; i < 3; ++i) expectNear(gram[i], glm::mat3(1.0f)[i]);
+    EXPECT_GT(glm::determinant(axes), 0.0f);
+    input.movedX = input.movedY = 0.0;
+    EXPECT_EQ(fly(camera, input, 1.0f, 1.0f), camera) << "held and still";
+}
+
 }  // namespace
 }  // namespace lampyris::sandbox

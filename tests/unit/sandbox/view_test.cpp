@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/file.h"
+#include "fly_camera.h"
 #include "overlay/setting_list.h"
 #include "scene/builtin/builtin.h"
 #include "scene/extract.h"
@@ -107,6 +108,8 @@ TEST(ViewState, ComesBackFromItsFile) {
     state.size = graph::Extent{300, 200};
     state.cameraToWorld = glm::translate(glm::mat4(1.0f), glm::vec3(0.1f, 2.0f, -3.7f));
     state.timeScale = 0.5f;
+    state.defaults = state.settings;
+    state.defaults->photonPaths = 778;
     ASSERT_TRUE(writeState(folder / "a.json", state).ok());
     ViewState back;
     ASSERT_TRUE(readState(folder / "a.json", back).ok());
@@ -119,6 +122,7 @@ TEST(ViewState, ComesBackFromItsFile) {
     EXPECT_EQ(back.size, state.size);
     EXPECT_EQ(back.cameraToWorld, state.cameraToWorld);
     EXPECT_EQ(back.timeScale, 0.5f);
+    EXPECT_EQ(back.defaults, state.defaults);
 }
 
 TEST(ViewState, ComesBackAtBothEndsOfEverySetting) {
@@ -158,6 +162,23 @@ TEST(ViewState, NamesTheValueThatIsWrongAndTakesNone) {
           std::pair{R"({"exposure":2,"camera_to_world":[1,2]})", "camera_to_world"},
           std::pair{R"({"exposure":2,"camera_to_world":[2,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]})",
                     "rigid"},
+          std::pair{R"({"exposure":2,"camera_to_world":[-1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]})",
+                    "rigid"},
+          std::pair{R"({"exposure":2,"exposur":-2})", "exposur: there is no such key"},
+          std::pair{R"({"exposure":2,"name":"npm","version":"1.0.0"})", "name: there is no such"},
+          std::pair{R"({"exposure":2,"panels":{"timings":true}})", "panels.timings"},
+          std::pair{R"({"exposure":2,"panels":5})", "panels: 5 is no object"},
+          std::pair{R"({"exposure":2,"panels":{"truth":1}})", "panels.truth: 1 is not true"},
+          std::pair{R"({"exposure":2,"settings":[]})", "settings: [] is no object"},
+          std::pair{R"({"exposure":2,"settings":{"guiding":"on"}})", "settings.guiding: \"on\""},
+          std::pair{R"({"exposure":2,"settings":{"photons":"many"}})", "photons: \"many\" is no"},
+          std::pair{R"({"exposure":2,"settings":{"gather":3}})", "settings.gather: 3 is no word"},
+          std::pair{R"({"exposure":2,"tonemap":null})", "tonemap: null"},
+          std::pair{R"({"exposure":2,"overlay":"yes"})", "overlay: \"yes\""},
+          std::pair{R"({"exposure":2,"size":7})", "size: 7 is no list"},
+          std::pair{R"({"exposure":2,"size":[1,2,3]})", "size: [1,2,3] is no list"},
+          std::pair{R"([1,2])", "[1,2] is no object of settings"},
+          std::pair{R"(null)", "null is no object of settings"},
           std::pair{R"({"exposure":2)", "parse"}}) {
         ViewState state;
         const auto parsed = parseState(text, state);
@@ -165,6 +186,22 @@ TEST(ViewState, NamesTheValueThatIsWrongAndTakesNone) {
         EXPECT_NE(parsed.error().message.find(named), std::string::npos) << parsed.error().message;
         EXPECT_EQ(state.display.exposureEv, 0.0f);
     }
+}
+
+TEST(ViewState, MakesACameraRigidThatNearlyIs) {
+    ViewState state;
+    ASSERT_TRUE(
+        parseState(R"({"camera_to_world":[1.0004,0,0,0,0,1,0,0,0,0,1,0,3,2,1,1]})", state).ok());
+    EXPECT_EQ(*state.cameraToWorld, glm::translate(glm::mat4(1.0f), glm::vec3(3, 2, 1)));
+    // What was turned a few times comes back to the bit, or a replay would differ.
+    window::Input input;
+    input.buttons[0] = true;
+    input.movedX = 33.0;
+    input.movedY = 7.0;
+    for (int i = 0; i < 50; ++i) state.cameraToWorld = fly(*state.cameraToWorld, input, 1.0f, 0.0f);
+    ViewState back;
+    ASSERT_TRUE(parseState(stateText(state), back).ok());
+    EXPECT_EQ(back.cameraToWorld, state.cameraToWorld);
 }
 
 scene::SceneSnapshot cornell() {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/extract.h"
+#include "scene/place_deformed.h"
 #include "scene/spawn.h"
 #include "scene/systems/world_transforms.h"
 #include "support/deformed_meshes.h"
@@ -211,6 +212,21 @@ TEST_F(ExtractPoses, DeepSkeletonsTakeNoSquareOfTime) {
     updateWorldTransforms(world, since);
     now = extract(world, now, since);
     EXPECT_EQ(is().pose->jointMatrices.size(), 20000u);
+}
+
+TEST_F(ExtractPoses, ACharacterIsMovedByWhatHoldsItAndItsJoints) {
+    EXPECT_EQ(wholeOf(world, shape), root);
+    EXPECT_EQ(wholeOf(world, rigid), rigid);
+    EXPECT_EQ(wholeOf(world, knee), knee);
+    EXPECT_EQ(wholeOf(world, {}), ecs::Entity{});
+    const glm::vec3 stood(is().objectToWorld[3]);
+    world.edit<Transform>(wholeOf(world, shape)).translation.x += 5.0f;
+    update();
+    EXPECT_NEAR(is().objectToWorld[3].x, stood.x + 5.0f, 1e-5f);
+    ecs::clearParent(world, shape);
+    EXPECT_EQ(wholeOf(world, shape), hip) << "what its joints hang on";
+    world.destroy(hip);
+    EXPECT_EQ(wholeOf(world, shape), shape);
 }
 
 }  // namespace

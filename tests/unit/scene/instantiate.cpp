@@ -4,6 +4,7 @@
 
 #include "scene/extract.h"
 #include "scene/motion.h"
+#include "scene/place_deformed.h"
 #include "scene/systems/world_transforms.h"
 
 namespace lampyris::scene {
@@ -84,6 +85,9 @@ TEST_F(Instantiate, NodesBecomeAHierarchyWithTheirMeshes) {
     const ecs::Entity part = ecs::childrenOf(world, b)[1];
     EXPECT_EQ(glm::vec3(world.get<WorldTransform>(part).matrix[3]), glm::vec3(2, 1, 0));
     EXPECT_TRUE(world.has<MeshInstance>(c));
+    EXPECT_EQ(wholeOf(world, part), b) << "a piece in another material is no thing of its own";
+    EXPECT_EQ(wholeOf(world, b), b);
+    EXPECT_EQ(wholeOf(world, c), c);
     EXPECT_EQ(world.get<Camera>(c).verticalFovRadians, 1.0f);
     EXPECT_EQ(world.count<MeshInstance>(), 3u);
     EXPECT_EQ(world.resource<Library>().meshes().size(), 3u);

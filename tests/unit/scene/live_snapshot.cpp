@@ -36,5 +36,19 @@ TEST(LiveSnapshot, FollowsAWorldFromItsFirstFrameOn) {
     EXPECT_TRUE(world.removedSince<MeshInstance>(0).empty()) << "what was seen is forgotten";
 }
 
+TEST(LiveSnapshot, KeepsEditsOfWhatMovesWhileTimeStandsStill) {
+    ecs::World world = newWorld();
+    const ecs::Entity lamp = spawnLight(world, "lamp", {}, {0.1f, glm::vec3(1.0f)});
+    world.resource<Motion>().systems.add("rise", rise);
+    LiveSnapshot live;
+    live.follow(world, 2.0);
+    world.edit<Transform>(lamp).translation.y = 7.0f;
+    EXPECT_EQ(live.followEdits(world).lights.at(0).positionWorld.y, 7.0f);
+    EXPECT_EQ(live.followEdits(world).lights.at(0).positionWorld.y, 7.0f);
+    spawnMesh(world, builtin::boxMesh({1, 2, 3}), {});
+    EXPECT_EQ(live.followEdits(world).instances.size(), 1u) << "with a place of its own";
+    EXPECT_EQ(live.follow(world, 2.5).lights.at(0).positionWorld.y, 2.5f);
+}
+
 }  // namespace
 }  // namespace lampyris::scene

@@ -55,11 +55,13 @@ TEST(SaveMotion, ASavedSceneMovesOn) {
         plays.targets.push_back({});
     }
     world->add(world->create(), Patrol{{{1, 2, 3}, {4, 5, 6}}, 0.5f, 2.0, false});
+    world->add(world->create(), MeshPart{});
     const auto text = saveScene(*world);
     ASSERT_TRUE(text.ok()) << text.error().message;
     auto loaded = loadSavedScene(*text);
     ASSERT_TRUE(loaded.ok()) << loaded.error().message;
     EXPECT_EQ(saveScene(*loaded).value(), *text);
+    EXPECT_EQ(loaded->count<MeshPart>(), 1u);
     for (const auto& [entity, patrol] : loaded->view<Patrol>()) {
         EXPECT_EQ(patrol.waypoints.at(1), glm::vec3(4, 5, 6));
         EXPECT_FALSE(patrol.closed);
