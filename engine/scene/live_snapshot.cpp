@@ -8,10 +8,14 @@ namespace lampyris::scene {
 
 const SceneSnapshot& LiveSnapshot::follow(ecs::World& world, double seconds) {
     advanceTo(world, seconds, seen_);
+    seconds_ = seconds;
     return take(world);
 }
 
 const SceneSnapshot& LiveSnapshot::followEdits(ecs::World& world) {
+    if (!world.changedSince<AnimationPlayer>(seen_).empty() ||
+        !world.changedSince<Patrol>(seen_).empty())
+        return follow(world, seconds_);
     updateWorldTransforms(world, seen_);
     return take(world);
 }

@@ -15,7 +15,8 @@ class LiveSnapshot {
     /// begins a new tick. The world is the same one at every call.
     const SceneSnapshot& follow(ecs::World& world, double seconds);
     /// The same while the world's time stands still: no system runs, so what was edited stays as it
-    /// is, where a system would place it too.
+    /// is, where a system would place it too; only where an AnimationPlayer or Patrol was edited
+    /// do all systems run again.
     const SceneSnapshot& followEdits(ecs::World& world);
     /// As of the last follow(); empty before the first.
     [[nodiscard]] const SceneSnapshot& get() const { return snapshot_; }
@@ -25,6 +26,7 @@ class LiveSnapshot {
 
     SceneSnapshot snapshot_;
     ecs::Tick seen_ = 0;
+    double seconds_ = 0.0;  ///< the world's time, at the last follow()
 };
 
 }  // namespace lampyris::scene

@@ -111,7 +111,7 @@ double Budget::errorOf(size_t frames) const {
 void Budget::follow(const Settings& asked, graph::Extent size) {
     if (curve_ && asked == asked_ && size == size_) return;
     const bool alike = curve_ && size == size_ && sameCost(asked_, asked);
-    if (!sameWay(asked_, asked)) place_ = {};  // its steps were others
+    if (!curve_ || !sameWay(asked_, asked)) place_ = {};  // its steps were others
     asked_ = asked;
     size_ = size;
     curve_.emplace(asked, size);

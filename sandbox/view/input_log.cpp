@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr uint32_t kMostSide = 65535;
 
 template <size_t N>
@@ -86,7 +86,7 @@ core::Result<void> checkHead(const std::filesystem::path& path, const Json& head
     for (const auto& [key, now] : {std::pair{"scene", &wanted.scene},
                                    {"camera", &wanted.camera},
                                    {"animation", &wanted.animation}}) {
-        const std::string then = head.value(key, *now);  // older logs do not say
+        const std::string then = head.value(key, *now);  // one written by hand may not say
         if (then != *now)
             return core::error("{}: was recorded with {} '{}', not '{}'", path.string(), key, then,
                                *now);

@@ -86,7 +86,7 @@ core::Result<void> Viewer::prepare() {
         const auto parsed = parseState(log.state, state_);
         if (!parsed.ok())
             return core::error("{}:1: {}", options_.replay.string(), parsed.error().message);
-        defaults_ = state_.defaults.value_or(defaults_);  // older logs do not say
+        defaults_ = state_.defaults.value_or(defaults_);  // one written by hand may not say
         timestep_ = state_.timestep.value_or(timestep_);
         startSeconds_ = state_.startSeconds.value_or(startSeconds_);
         replayed_ = std::move(log.moments);
@@ -251,7 +251,8 @@ void Viewer::takeKeys(const Moment& moment) {
     const float fast = std::abs(play_.timeScale);
     if (in.wasPressed('[') && fast > kLeastTimeScale) play_.timeScale *= 0.5f;
     if (in.wasPressed(']') && fast < kMostTimeScale)
-        play_.timeScale = fast < kLeastTimeScale ? kLeastTimeScale : 2.0f * play_.timeScale;
+        play_.timeScale = fast < kLeastTimeScale ? std::copysign(kLeastTimeScale, play_.timeScale)
+                                                 : 2.0f * play_.timeScale;
     if (in.wasPressed('C')) play_.walks = !play_.walks;
     if (in.wasPressed('1')) play_.handles = overlay::HandleKind::Move;
     if (in.wasPressed('2')) play_.handles = overlay::HandleKind::Rotate;
@@ -420,12 +421,15 @@ core::Result<void> Viewer::draw(const Moment& moment, uint64_t number) {
 }
 
 core::Result<void> Viewer::follow() {
-    if (followedSeconds_ == loop_.seconds) return loop_.followEdits();
+    if (followedSeconds_ == loop_.seconds) {
+        if (play_.message == undoneMessage_) play_.message.clear();
+        return loop_.followEdits();
+    }
     TRY_VOID(loop_.follow());
     followedSeconds_ = loop_.seconds;
     if (!edit_ || !loop_.world().alive(edit_->entity)) return {};
     if (undone(edit_->before, edit_->after, movableOf(loop_.world(), edit_->entity)))
-        play_.message =
+        play_.message = undoneMessage_ =
             nameOf(loop_.world(), edit_->entity) + " is moved by its animation; pause to edit it";
     return {};
 }

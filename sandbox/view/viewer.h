@@ -95,6 +95,7 @@ class Viewer {
         Movable before, after;
     };
     std::optional<Edit> edit_;               ///< what panels and handles did in this frame, if any
+    std::string undoneMessage_;              ///< that one was undone, when it last was
     std::optional<double> followedSeconds_;  ///< of the scene's time, at the last follow()
     float metresAcross_ = 10.0f;             ///< the scene, while something was in it
     std::optional<graph::Extent> windowedSize_;    ///< pixels, when it was last not full screen

@@ -288,7 +288,7 @@ TEST_F(ViewOverlay, RefusesFilesThatAreNone) {
     const auto packages = startView({"--settings", others});
     expectFailure(packages->wait(kViewSeconds), "package.json: name: there is no such key");
     EXPECT_EQ(textOf(others), R"({"name":"npm","version":"1.0.0"})");
-    const std::string head = R"({"lampyris_inputs":1,"state":{"exposure":"dim"}})";
+    const std::string head = R"({"lampyris_inputs":2,"state":{"exposure":"dim"}})";
     const std::string moment =
         R"({"seconds":0.1,"window":[64,36],"size":[64,36],"held":[],"pressed":[],"buttons":[],)"
         R"("clicked":[],"typed":[],"cursor":[0,0],"moved":[0,0],"scrolled":0})";

@@ -1,25 +1,15 @@
 // The graph panel knows a node by its name: frames may have other nodes before it.
 #include "overlay/graph_panel.h"
 
-#include "overlay/overlay.h"
-#include "support/gpu_test.h"
+#include "support/overlay_test.h"
 
 namespace lampyris::overlay {
 namespace {
 
 constexpr graph::Extent kSize{1280, 720};
 
-class GraphPanelTest : public test::GpuTest {
+class GraphPanelTest : public test::OverlayTest {
  protected:
-    void SetUp() override {
-        GpuTest::SetUp();
-        if (IsSkipped()) return;
-        overlay_.emplace(test::need(Overlay::create(device())));
-    }
-    void TearDown() override {
-        overlay_.reset();
-        GpuTest::TearDown();
-    }
     static void addNode(graph::Frame& frame, const char* name) {
         auto node = frame.raster(name, {8, 8});
         frame.output(node.clearedColour(0, frame.image(name, {graph::Format::RGBA8Unorm, {8, 8}}),
@@ -55,7 +45,6 @@ class GraphPanelTest : public test::GpuTest {
 
     const std::vector<const char*> kFew{"first", "second", "second"};
     const std::vector<const char*> kMore{"before", "first", "second", "second"};
-    std::optional<Overlay> overlay_;
     GraphPanel panel_;
     LookChoice choice_;
 };

@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "ecs/hierarchy.h"
-#include "overlay/overlay.h"
 #include "scene/components.h"
 #include "scene/systems/world_transforms.h"
-#include "support/gpu_test.h"
+#include "support/overlay_test.h"
 #include "support/small_scenes.h"
 
 namespace lampyris::overlay {
@@ -16,17 +15,8 @@ namespace {
 
 constexpr graph::Extent kSize{640, 360};
 
-class HandlesTest : public test::GpuTest {
+class HandlesTest : public test::OverlayTest {
  protected:
-    void SetUp() override {
-        GpuTest::SetUp();
-        if (IsSkipped()) return;
-        overlay_.emplace(test::need(Overlay::create(device())));
-    }
-    void TearDown() override {
-        overlay_.reset();
-        GpuTest::TearDown();
-    }
     ecs::Entity place(const scene::Transform& transform, ecs::Entity parent = {}) {
         const ecs::Entity entity = world_.create();
         world_.add(entity, transform);
@@ -47,7 +37,6 @@ class HandlesTest : public test::GpuTest {
         return theirs;
     }
 
-    std::optional<Overlay> overlay_;
     ecs::World world_;
     Handles handles_;
     scene::SnapshotCamera camera_ = test::lookFrom({0, 0, 5}, {0, 0, 0});

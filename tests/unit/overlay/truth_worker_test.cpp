@@ -151,6 +151,8 @@ TEST(TruthWorker, BeginsNothingWhileTheViewMoves) {
         worker.follow(view);
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
+    // Time enough to render the last one, had it been begun.
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
     EXPECT_EQ(worker.state().samples, 0u);
     stand(worker, view);
     EXPECT_TRUE(eventually([&] { return worker.state().samples > 0; }));

@@ -313,6 +313,21 @@ TEST(Budget, LeavesAloneWhatIsNoFinalGather) {
     EXPECT_FALSE(budget.state().outOfReach);
 }
 
+TEST(Budget, BeginsAnewBehindSettingsThatItDoesNotSteer) {
+    Budget budget(0.2 * modelCost(fine(), kSize).sum());
+    Frames frames(budget, eachPart([](double ms) { return ms; }), 0.0);
+    frames.draw(200);
+    ASSERT_NE(budget.next(fine(), kSize).gatherRays, fine().gatherRays);
+    Settings short_ = fine();  // of a way of one step
+    short_.gatherRays = 1;
+    short_.gatherDivisor = 16;
+    Settings direct = short_;
+    direct.pipeline = Pipeline::Direct;
+    EXPECT_EQ(budget.next(direct, kSize), direct);
+    budget.setMilliseconds(10.0 * modelCost(short_, kSize).sum());
+    EXPECT_EQ(budget.next(short_, kSize), short_);
+}
+
 TEST(Budget, TellsWhatWasGivenUp) {
     Settings given = fine();
     given.photonPaths = 9000;

@@ -83,12 +83,12 @@ TEST(InputLog, NamesWhatIsWrong) {
     };
     EXPECT_NE(errorOf("").find("no inputs"), std::string::npos);
     EXPECT_NE(errorOf("{}\n").find("no log of inputs"), std::string::npos);
-    EXPECT_NE(errorOf("{\"lampyris_inputs\":1,\"scene\":\"two_rooms\"}\n").find("two_rooms"),
+    EXPECT_NE(errorOf("{\"lampyris_inputs\":2,\"scene\":\"two_rooms\"}\n").find("two_rooms"),
               std::string::npos);
-    EXPECT_NE(errorOf("{\"lampyris_inputs\":1,\"scene\":\"cornell\",\"camera\":\"far\"}\n")
+    EXPECT_NE(errorOf("{\"lampyris_inputs\":2,\"scene\":\"cornell\",\"camera\":\"far\"}\n")
                   .find("camera 'far', not 'close'"),
               std::string::npos);
-    const std::string head = "{\"lampyris_inputs\":1,\"scene\":\"cornell\",\"camera\":\"close\"}\n";
+    const std::string head = "{\"lampyris_inputs\":2,\"scene\":\"cornell\",\"camera\":\"close\"}\n";
     EXPECT_NE(errorOf(head + "{}\n").find(":2: is no moment"), std::string::npos);
     EXPECT_NE(errorOf(head + "{\"seconds\":1,\"window\":[0,1]").find(":2:"), std::string::npos);
     EXPECT_FALSE(readInputLog(folder / "none", {"cornell", "close", ""}).ok());

@@ -50,5 +50,16 @@ TEST(LiveSnapshot, KeepsEditsOfWhatMovesWhileTimeStandsStill) {
     EXPECT_EQ(live.follow(world, 2.5).lights.at(0).positionWorld.y, 2.5f);
 }
 
+TEST(LiveSnapshot, FollowsHowThingsMoveWhileTimeStandsStill) {
+    ecs::World world = newWorld();
+    const ecs::Entity lamp = spawnLight(world, "lamp", {}, {0.1f, glm::vec3(1.0f)});
+    world.add(lamp, Patrol{{{0, 0, 0}, {4, 0, 0}}, 1.0f});
+    LiveSnapshot live;
+    EXPECT_EQ(live.follow(world, 2.0).lights.at(0).positionWorld.x, 2.0f);
+    EXPECT_EQ(live.followEdits(world).lights.at(0).positionWorld.x, 2.0f);
+    world.edit<Patrol>(lamp).waypoints.back() = {-4, 0, 0};
+    EXPECT_EQ(live.followEdits(world).lights.at(0).positionWorld.x, -2.0f);
+}
+
 }  // namespace
 }  // namespace lampyris::scene
