@@ -5,6 +5,7 @@
 #include "scene/builtin/shapes.h"
 #include "scene/motion.h"
 #include "scene/spawn.h"
+#include "scene/systems/patrol.h"
 
 namespace lampyris::scene {
 namespace {
@@ -54,6 +55,7 @@ TEST(LiveSnapshot, FollowsHowThingsMoveWhileTimeStandsStill) {
     ecs::World world = newWorld();
     const ecs::Entity lamp = spawnLight(world, "lamp", {}, {0.1f, glm::vec3(1.0f)});
     world.add(lamp, Patrol{{{0, 0, 0}, {4, 0, 0}}, 1.0f});
+    world.resource<Motion>().systems.add("patrol", patrol);
     LiveSnapshot live;
     EXPECT_EQ(live.follow(world, 2.0).lights.at(0).positionWorld.x, 2.0f);
     EXPECT_EQ(live.followEdits(world).lights.at(0).positionWorld.x, 2.0f);
