@@ -325,7 +325,9 @@ TEST(Budget, BeginsAnewBehindSettingsThatItDoesNotSteer) {
     direct.pipeline = Pipeline::Direct;
     EXPECT_EQ(budget.next(direct, kSize), direct);
     budget.setMilliseconds(10.0 * modelCost(short_, kSize).sum());
+    const uint32_t changes = budget.state().changes;
     EXPECT_EQ(budget.next(short_, kSize), short_);
+    EXPECT_EQ(budget.state().changes, changes) << "it was at the way's begin, not on its way back";
 }
 
 TEST(Budget, TellsWhatWasGivenUp) {
