@@ -32,19 +32,6 @@ T valueAt(const RawImage& raw, size_t index) {
     return value;
 }
 
-uint32_t channelsOf(Format format) {
-    switch (format) {
-        case Format::R32Uint:
-        case Format::R32Float:
-        case Format::D32Float:
-            return 1;
-        case Format::RG32Float:
-            return 2;
-        default:
-            return 4;
-    }
-}
-
 float channelAt(const RawImage& raw, size_t index) {
     switch (raw.desc.format) {
         case Format::R32Uint:
@@ -71,7 +58,8 @@ float channelAt(const RawImage& raw, size_t index) {
 }  // namespace
 
 core::Image toImage(const RawImage& raw) {
-    core::Image image{raw.desc.extent.width, raw.desc.extent.height, channelsOf(raw.desc.format)};
+    core::Image image{raw.desc.extent.width, raw.desc.extent.height,
+                      graph::channels(raw.desc.format)};
     for (size_t i = 0; i < image.values.size(); ++i) image.values[i] = channelAt(raw, i);
     return image;
 }

@@ -22,6 +22,7 @@ enum class Format : uint8_t {
 };
 
 [[nodiscard]] uint32_t bytesPerTexel(Format format);
+[[nodiscard]] uint32_t channels(Format format);  ///< 1, 2 or 4; 0 of Undefined
 [[nodiscard]] const char* name(Format format);
 [[nodiscard]] inline bool isDepth(Format format) {
     return format == Format::D32Float;

@@ -13,19 +13,6 @@ namespace {
 constexpr uint32_t kMostWidth = 960;  // [chosen] pixels; of wider images not every texel is shown
 constexpr uint32_t kNowhere = 0xffffffffu;
 
-uint32_t channelsOf(graph::Format format) {
-    switch (format) {
-        case graph::Format::R32Uint:
-        case graph::Format::R32Float:
-        case graph::Format::D32Float:
-            return 1;
-        case graph::Format::RG32Float:
-            return 2;
-        default:
-            return shared::LOOK_CHANNELS;
-    }
-}
-
 bool isWhole(graph::Format format) {
     return format == graph::Format::R32Uint || format == graph::Format::RGBA32Uint;
 }
@@ -104,7 +91,7 @@ graph::Image ImageLook::addNode(graph::Frame& frame) {
     params.layer = std::min(choice.layer, desc_.layers - 1);
     params.cursorX = choice.cursor ? choice.cursor->x : kNowhere;
     params.cursorY = choice.cursor ? choice.cursor->y : kNowhere;
-    params.channels = channelsOf(desc_.format);
+    params.channels = graph::channels(desc_.format);
 
     auto clear = frame.transfer("overlay/look_clear");
     graph::Buffer findings =
