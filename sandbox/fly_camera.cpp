@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "math/rigid.h"
+
 namespace lampyris::sandbox {
 namespace {
 
@@ -21,16 +23,10 @@ glm::mat3 turned(const glm::mat3& axes, float yaw, float pitch) {
     const glm::mat3 nodded =
         glm::mat3(glm::rotate(glm::mat4(1.0f), pitch, glm::vec3(about[0]))) * about;
     // Each product rounds, and always to the same side.
-    return madeRigid(std::abs(nodded[2].y) < kSteepest ? nodded : about);
+    return math::rigidPart(glm::mat4(std::abs(nodded[2].y) < kSteepest ? nodded : about));
 }
 
 }  // namespace
-
-glm::mat3 madeRigid(const glm::mat3& axes) {
-    const glm::vec3 z = glm::normalize(axes[2]);
-    const glm::vec3 x = glm::normalize(glm::cross(axes[1], z));
-    return {x, glm::cross(z, x), z};
-}
 
 glm::mat4 fly(const glm::mat4& cameraToWorld, const window::Input& input, float metresPerSecond,
               float seconds) {

@@ -6,9 +6,6 @@
 
 namespace lampyris::sandbox {
 
-/// The rotation by axes that are nearly one, along the same z.
-[[nodiscard]] glm::mat3 madeRigid(const glm::mat3& axes);
-
 /// Where the camera is after `seconds` of this input.
 [[nodiscard]] glm::mat4 fly(const glm::mat4& cameraToWorld, const window::Input& input,
                             float metresPerSecond, float seconds);

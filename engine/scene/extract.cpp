@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "math/rigid.h"
 #include "scene/place_deformed.h"
 
 namespace lampyris::scene {
@@ -101,23 +102,6 @@ std::vector<uint32_t> share(std::vector<Versioned<T>>& ours,
     return replaced;
 }
 
-/// Unit columns at right angles, right-handed; the identity where the matrix has none.
-glm::mat4 rigidPart(const glm::mat4& matrix) {
-    // In double: the squares of tiny scales are zero in float.
-    const glm::dvec3 back(matrix[2]);
-    const glm::dvec3 right = glm::cross(glm::dvec3(matrix[1]), back);
-    glm::mat4 rigid(1.0f);
-    if (glm::dot(right, right) > 0.0) {
-        const glm::dvec3 x = glm::normalize(right);
-        const glm::dvec3 z = glm::normalize(back);
-        rigid[0] = glm::vec4(glm::vec3(x), 0.0f);
-        rigid[1] = glm::vec4(glm::vec3(glm::cross(z, x)), 0.0f);
-        rigid[2] = glm::vec4(glm::vec3(z), 0.0f);
-    }
-    rigid[3] = matrix[3];
-    return rigid;
-}
-
 std::optional<SnapshotInstance> makeInstance(const ecs::World& world, const SceneSnapshot& shared,
                                              ecs::Entity entity) {
     const auto* drawn = world.find<MeshInstance>(entity);
@@ -148,7 +132,7 @@ std::optional<SnapshotLight> makeLight(const ecs::World& world, ecs::Entity enti
         // Not less, nor NaN: shaders divide by its square.
         .radiusMetres = light->radiusMetres > kLeastRadius ? light->radiusMetres : kLeastRadius,
         .powerWatts = light->powerWatts,
-        .directionWorld = -glm::vec3(rigidPart(transform->matrix)[2]),
+        .directionWorld = -glm::vec3(math::rigidPart(transform->matrix)[2]),
         .cosOuterCone = light->cosOuterCone,
         .cosInnerCone = light->cosInnerCone};
 }
@@ -207,7 +191,7 @@ std::vector<SnapshotCamera> makeCameras(const ecs::World& world) {
         const auto* name = world.find<Name>(entity);
         ordered.push_back({entity.index(),
                            {.name = name == nullptr ? std::string() : name->value,
-                            .cameraToWorld = rigidPart(transform.matrix),
+                            .cameraToWorld = math::rigidPart(transform.matrix),
                             .verticalFovRadians = camera.verticalFovRadians,
                             .nearMetres = camera.nearMetres}});
     }

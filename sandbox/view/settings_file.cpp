@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/file.h"
-#include "fly_camera.h"
+#include "math/rigid.h"
 #include "overlay/setting_list.h"
 
 namespace lampyris::sandbox::view {
@@ -153,9 +153,7 @@ glm::mat4 matrixOf(const Json& json) {
     if (!(off <= 1e-3f) || glm::determinant(axes) < 0.0f) refuse("camera_to_world: is not rigid");
     // What a run wrote is nearer than that, and comes back to the bit.
     if (off <= 1e-5f) return matrix;
-    const glm::mat3 mended = madeRigid(axes);
-    for (int i = 0; i < 3; ++i) matrix[i] = glm::vec4(mended[i], matrix[i].w);
-    return matrix;
+    return math::rigidPart(matrix);
 }
 
 graph::Extent sizeOf(const Json& json) {
