@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "photon_gi/shaders.h"
+#include "photon_gi/upsample.h"
 #include "shared/tile_bin.h"
 
 namespace lampyris::photon_gi {
@@ -54,6 +55,23 @@ graph::Image addEdgePixels(graph::Frame& frame, const deferred::Surface& surface
     irradiance = node.update(shared::SLOT_GATHER_IRRADIANCE, irradiance);
     node.dispatchIndirect(edges.groups);
     return irradiance;
+}
+
+graph::Image addShareAlone(graph::Frame& frame, const deferred::Surface& surface,
+                           const EdgeList& edges, graph::Image irradiance,
+                           const FinalGatherSettings& settings) {
+    const uint64_t pixels = uint64_t{surface.view.width} * surface.view.height;
+    auto node = frame.compute("upsample/alone", shaders::finalAlone);
+    deferred::bindSurface(node, surface);
+    node.sample(shared::SLOT_FINAL_JOINED, irradiance)
+        .read(shared::SLOT_GATHER_COUNTERS, edges.counters)
+        .read(shared::SLOT_GATHER_LIST, edges.list)
+        .push(finalParams(surface.view, settings));
+    const graph::Buffer estimates =
+        node.write(shared::SLOT_GATHER_ESTIMATES,
+                   frame.buffer("edge estimates", {pixels * sizeof(shared::vec4)}));
+    node.dispatchIndirect(edges.groups);
+    return addPlaceEstimates(frame, edges, estimates, irradiance);
 }
 
 }  // namespace
@@ -113,6 +131,7 @@ JoinedIrradiance addFinalUpsample(graph::Frame& frame, const deferred::Surface& 
     joined.edges.groups = addEdgeGroups(frame, joined.edges.counters);
     joined.irradiance =
         addEdgePixels(frame, surface, world, coarse, joined.edges, joined.irradiance, settings);
+    joined.irradiance = addShareAlone(frame, surface, joined.edges, joined.irradiance, settings);
     return joined;
 }
 

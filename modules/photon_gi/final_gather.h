@@ -1,7 +1,7 @@
 /// \file final gather: indirect irradiance by a few rays a texel into the irradiance grid, filtered
 /// and joined to full resolution.
 ///   in      surface, irradiance grid, BVH       out   irradiance, W/m², and the pixels done anew
-///   shader  photon_gi/final_*.comp              theory  README [F1] to [F6]
+///   shader  photon_gi/final_*.comp              theory  README [F1] to [F7]
 #pragma once
 
 #include "photon_gi/gather.h"

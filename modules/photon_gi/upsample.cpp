@@ -19,11 +19,15 @@ graph::Image addUpsample(graph::Frame& frame, const deferred::Surface& surface,
         node.write(shared::SLOT_GATHER_IRRADIANCE,
                    frame.image("indirect irradiance", {graph::Format::RGBA16Float, size}));
     node.dispatchOver(coarseBlocks(surface.view, settings.divisor));
+    return addPlaceEstimates(frame, edges, gathered.estimates, irradiance);
+}
 
-    auto place = frame.compute("upsample/edges", shaders::upsampleEdges);
+graph::Image addPlaceEstimates(graph::Frame& frame, const EdgeList& edges, graph::Buffer estimates,
+                               graph::Image irradiance) {
+    auto place = frame.compute("upsample/place", shaders::upsampleEdges);
     place.read(shared::SLOT_GATHER_COUNTERS, edges.counters)
         .read(shared::SLOT_GATHER_LIST, edges.list)
-        .read(shared::SLOT_GATHER_ESTIMATES, gathered.estimates);
+        .read(shared::SLOT_GATHER_ESTIMATES, estimates);
     irradiance = place.update(shared::SLOT_GATHER_IRRADIANCE, irradiance);
     place.dispatchIndirect(edges.groups);
     return irradiance;

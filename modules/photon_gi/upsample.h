@@ -11,4 +11,8 @@ namespace lampyris::photon_gi {
                                        const Gathered& gathered, const EdgeList& edges,
                                        const GatherSettings& settings);
 
+/// \param estimates vec4 of irradiance, W/m², one a listed pixel: what stands there from now on
+[[nodiscard]] graph::Image addPlaceEstimates(graph::Frame& frame, const EdgeList& edges,
+                                             graph::Buffer estimates, graph::Image irradiance);
+
 }  // namespace lampyris::photon_gi

@@ -1,4 +1,5 @@
-// The listed pixels: from more texels around them, or where those do not stand for them either, by their own rays.
+// The listed pixels: from more texels around them, or where those do not stand for them either, by their own rays; and
+// for final_alone.comp, 0 in alpha where it was by those.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/edge_list.glsl"
@@ -38,12 +39,13 @@ void main() {
             sum += weight * vec4(irradianceTowards(light.irradiance, relativeSlope(light), normal), 1.0);
         }
     vec3 irradiance = sum.rgb / max(sum.a, 1e-6);
-    if (sum.a < kLeastWeight) {
+    bool alone = sum.a < kLeastWeight;
+    if (alone) {
         uvec2 random = seedRandom(uint(pixel.y) * view.width + uint(pixel.x), params.seed ^ 0x5bd1e995u);
         uint slot;
         uint rays = kRaysAlone * params.rays;
         irradiance = finalGather(position, z, normal, rays, params.emitterCount,
                                  GatherPoints(0u, random), slot).irradiance;
     }
-    imageStore(irradianceIndirect, pixel, vec4(min(irradiance, vec3(65504.0)), 1.0));
+    imageStore(irradianceIndirect, pixel, vec4(min(irradiance, vec3(65504.0)), alone ? 0.0 : 1.0));
 }

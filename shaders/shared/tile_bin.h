@@ -31,6 +31,7 @@ LAMPYRIS_SLOT(SLOT_FINAL_COARSE, 2u);       // irradiance at low resolution, as 
 LAMPYRIS_SLOT(SLOT_FINAL_GUIDE, 3u);        // where each texel stands: position as float bits, normal octahedral
 LAMPYRIS_SLOT(SLOT_FINAL_COARSE_IN, 4u);    // … as it is read
 LAMPYRIS_SLOT(SLOT_FINAL_GUIDE_IN, 6u);
+LAMPYRIS_SLOT(SLOT_FINAL_JOINED, 4u);       // irradiance at full resolution; alpha 0 where a pixel traced its own rays
 LAMPYRIS_SLOT(SLOT_FINAL_LOOK_UPS, 5u);     // how often each slot of the grid was looked up by a texel's first ray
 
 LAMPYRIS_SLOT(SLOT_COMPOSITE_DIRECT, 0u);
