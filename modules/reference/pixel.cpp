@@ -3,6 +3,37 @@
 #include <cmath>
 
 namespace lampyris::reference {
+namespace {
+
+/// [chosen] Beside a ray, as a share of the distance: far less than a pixel, more than rounding.
+constexpr float kBeside = 1e-5f;
+
+bool meetsTheBack(const Stage& stage, const Ray& ray, const RayHit& hit) {
+    return glm::dot(stage.scene->pointAt(hit).acrossWorld(), ray.direction) > 0.0f;
+}
+
+/// A ray through an edge meets either triangle, by rounding; at an outline one of them is seen from
+/// behind, and all is dark inside a closed shape. What lies just beside the edge is what is seen.
+std::optional<RayHit> seenAlong(const Stage& stage, const Ray& ray) {
+    const auto hit = stage.scene->closest(ray);
+    if (!hit || !meetsTheBack(stage, ray, *hit)) return hit;
+    const glm::vec3 along = glm::abs(ray.direction);
+    const glm::vec3 least(along.x <= along.y && along.x <= along.z,
+                          along.y < along.x && along.y <= along.z,
+                          along.z < along.x && along.z < along.y);
+    const glm::vec3 aside = glm::normalize(glm::cross(ray.direction, least));
+    const glm::vec3 up = glm::cross(glm::normalize(ray.direction), aside);
+    const float step = kBeside * glm::length(ray.direction);
+    for (const glm::vec3& way : {aside, -aside, up, -up}) {
+        Ray beside = ray;
+        beside.direction += step * way;
+        const auto other = stage.scene->closest(beside);
+        if (other && !meetsTheBack(stage, beside, *other)) return other;
+    }
+    return hit;
+}
+
+}  // namespace
 
 PixelRays::PixelRays(const scene::SnapshotCamera& camera, uint32_t width, uint32_t height)
     : origin_(camera.cameraToWorld[3]),
@@ -26,7 +57,7 @@ Pixel lookThrough(const Stage& stage, const Ray& ray) {
     const glm::vec3 direction = ray.direction / length;
     pixel.toEye = -direction;
     float nearest = std::numeric_limits<float>::infinity();
-    if (const auto hit = stage.scene->closest(ray)) {
+    if (const auto hit = seenAlong(stage, ray)) {
         pixel.surface = surfaceAt(stage.scene->pointAt(*hit), direction);
         pixel.instance = hit->instance;
         pixel.depthMetres = hit->t;

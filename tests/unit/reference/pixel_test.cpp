@@ -48,5 +48,38 @@ TEST(LookThrough, FindsTheSurfaceItsDepthAndTheNearestDiscBeforeIt) {
     EXPECT_FALSE(away.disc.has_value());
 }
 
+TEST(LookThrough, SeesNoBackThroughAnOutline) {
+    // Two sides of a post that meet in an upright edge: one to the camera, one away from it.
+    scene::SceneSnapshot snapshot;
+    test::addInstance(snapshot, test::quad({0, -9, 0}, {-1, -9, -1}, {-1, 9, -1}, {0, 9, 0}),
+                      test::lambertian({0, 0, 0.5f}));
+    test::addInstance(snapshot, test::quad({-1, -9, 0}, {0, -9, 0}, {0, 9, 0}, {-1, 9, 0}),
+                      test::lambertian({0.5f, 0, 0}));
+    const auto scene = RayScene::build(snapshot);
+    ASSERT_TRUE(scene.ok());
+    const SphereLights lights(snapshot);
+    const Emitters emitters(scene.value());
+    const Stage stage{&scene.value(), &lights, &emitters};
+    const auto seenFrom = [&](const glm::vec3& eye, const glm::vec3& target) {
+        const auto camera = test::lookFrom(eye, target);
+        return lookThrough(stage, PixelRays(camera, 1, 1).through(0, 0)).surface;
+    };
+    int met = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const float height = 0.0137f * static_cast<float>(i) - 6.85f;
+        const auto seen = seenFrom({0.0031f * static_cast<float>(i), 1, 5}, {0, height, 0});
+        if (!seen) continue;  // past the edge
+        ++met;
+        EXPECT_EQ(seen->albedo.b, 0.0f) << "ray " << i;
+    }
+    EXPECT_GT(met, 100);
+    const auto other = seenFrom({-0.5f, 0, -5}, {-0.5f, 0, 0});
+    ASSERT_TRUE(other.has_value());
+    EXPECT_GT(other->albedo.b, 0.0f) << "its front is seen from there";
+    const auto open = seenFrom({-0.5f, 0, -0.2f}, {-0.5f, 0, 0});
+    ASSERT_TRUE(open.has_value());
+    EXPECT_GT(open->albedo.r, 0.0f) << "backs that lie open are seen";
+}
+
 }  // namespace
 }  // namespace lampyris::reference
