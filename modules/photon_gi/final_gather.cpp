@@ -69,9 +69,9 @@ graph::Image addShareAlone(graph::Frame& frame, const deferred::Surface& surface
         .push(finalParams(surface.view, settings));
     const graph::Buffer estimates =
         node.write(shared::SLOT_GATHER_ESTIMATES,
-                   frame.buffer("edge estimates", {pixels * sizeof(shared::vec4)}));
+                   frame.buffer("edge estimates", {pixels * sizeof(shared::uvec2)}));
     node.dispatchIndirect(edges.groups);
-    return addPlaceEstimates(frame, edges, estimates, irradiance);
+    return addPlaceEstimates(frame, edges, estimates, EstimateFormat::Halves, irradiance);
 }
 
 }  // namespace

@@ -19,12 +19,14 @@ graph::Image addUpsample(graph::Frame& frame, const deferred::Surface& surface,
         node.write(shared::SLOT_GATHER_IRRADIANCE,
                    frame.image("indirect irradiance", {graph::Format::RGBA16Float, size}));
     node.dispatchOver(coarseBlocks(surface.view, settings.divisor));
-    return addPlaceEstimates(frame, edges, gathered.estimates, irradiance);
+    return addPlaceEstimates(frame, edges, gathered.estimates, EstimateFormat::Vec4, irradiance);
 }
 
 graph::Image addPlaceEstimates(graph::Frame& frame, const EdgeList& edges, graph::Buffer estimates,
-                               graph::Image irradiance) {
-    auto place = frame.compute("upsample/place", shaders::upsampleEdges);
+                               EstimateFormat format, graph::Image irradiance) {
+    auto place = frame.compute("upsample/place", format == EstimateFormat::Vec4
+                                                     ? shaders::upsamplePlace
+                                                     : shaders::upsamplePlaceHalf);
     place.read(shared::SLOT_GATHER_COUNTERS, edges.counters)
         .read(shared::SLOT_GATHER_LIST, edges.list)
         .read(shared::SLOT_GATHER_ESTIMATES, estimates);

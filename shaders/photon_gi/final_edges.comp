@@ -16,7 +16,7 @@ layout(set = 0, binding = SLOT_GATHER_IRRADIANCE, rgba16f) uniform writeonly ima
 // [chosen] Texels to each side, and the least weight that they must have together.
 const int kReach = 2;
 const float kLeastWeight = 0.02;
-// [chosen] For each ray of a texel: a pixel alone has no neighbours to share noise with.
+// [chosen] For each ray of a texel: a pixel alone shares noise with fewer, and with no frame before.
 const uint kRaysAlone = 2u;
 
 void main() {

@@ -1,5 +1,5 @@
 // Irradiance at full resolution, between the four texels around each pixel; what they do not stand for is overwritten
-// by upsample_edges.comp.
+// by upsample_place.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/coarse_block.glsl"

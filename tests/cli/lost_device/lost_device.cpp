@@ -39,6 +39,8 @@ VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit2(VkQueue queue, uint32_t count,
     static const auto next = original<PFN_vkQueueSubmit2>("vkQueueSubmit2");
     if (lost) return VK_ERROR_DEVICE_LOST;
     if (!isLostNow()) return next(queue, count, submits, fence);
+    static const auto wait = original<PFN_vkQueueWaitIdle>("vkQueueWaitIdle");
+    wait(queue);  // nothing of this device is at work when it is torn down
     lost = true;
     return VK_SUCCESS;
 }
