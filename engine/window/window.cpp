@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <optional>
 #include <utility>
@@ -70,6 +71,13 @@ GLFWmonitor* monitorUnder(const Place& place) {
 VkExtent2D sizeOrNone(GLFWwindow* window, int width, int height) {
     if (x11WindowWasDestroyed(window) || width < 0 || height < 0) return {0, 0};
     return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
+}
+
+bool isModifier(size_t key) {
+    constexpr std::array kModifiers{kKeyLeftShift,  kKeyLeftControl,  kKeyLeftAlt,
+                                    kKeyRightShift, kKeyRightControl, kKeyRightAlt};
+    return std::find(kModifiers.begin(), kModifiers.end(), static_cast<int>(key)) !=
+           kModifiers.end();
 }
 
 }  // namespace
@@ -196,8 +204,10 @@ void Window::poll() {
 
 void Window::takeEvents() {
     Input& input = state_->input;
+    bool pressed = false;  // a key that modifiers change the meaning of
     while (!state_->events.empty()) {
         const Event event = state_->events.front();
+        if (event.key && isModifier(*event.key) && pressed) return;
         state_->events.pop_front();
         input.cursorX = event.x;
         input.cursorY = event.y;
@@ -205,6 +215,7 @@ void Window::takeEvents() {
         if (event.key) {
             input.held[*event.key] = event.action != GLFW_RELEASE;
             if (event.action == GLFW_PRESS) input.pressed[*event.key] = true;
+            pressed = pressed || (event.action == GLFW_PRESS && !isModifier(*event.key));
             if (event.action == GLFW_PRESS && *event.key == kKeyEscape && state_->escapeCloses)
                 state_->closeRequested = true;
         }

@@ -50,8 +50,9 @@ constexpr int kKeyCount = 349;
 
 /// The state after the last poll(). Positions in window coordinates, from the top left. A poll
 /// takes what happened up to the first mouse button that goes up or down, with the cursor where
-/// that was; the rest waits for the next, so that no click is lost, lands elsewhere or is overtaken
-/// by a key, however long a frame takes.
+/// that was, or to the first Shift, Control or Alt behind another key; the rest waits for the next,
+/// so that no click is lost, lands elsewhere or is overtaken by a key, and keys mean what was held
+/// with them, however long a frame takes.
 struct Input {
     std::array<bool, kKeyCount> held{};
     std::array<bool, kKeyCount> pressed{};  ///< went down since the poll before

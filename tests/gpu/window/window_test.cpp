@@ -259,6 +259,25 @@ TEST_F(WindowTest, AClickIsWhereItWasHoweverLateItIsSeen) {
     EXPECT_TRUE(window.input().wasPressed('J'));
 }
 
+TEST_F(WindowTest, AKeyMeansWhatWasHeldWithItHoweverLateItIsSeen) {
+    auto window = need(window::Window::create({"modified", 200, 200}));
+    if (!takesKeys(window, "modified")) GTEST_SKIP() << "xdotool is not installed";
+    ASSERT_TRUE(xdotool("key j key shift+k key l"));
+    for (int i = 0; i < 5; ++i) window.waitForEvents(0.1);
+    window.poll();
+    EXPECT_TRUE(window.input().wasPressed('J'));
+    EXPECT_FALSE(window.input().wasPressed('K'));
+    EXPECT_FALSE(window.input().shift());
+    window.poll();
+    EXPECT_TRUE(window.input().wasPressed('K'));
+    EXPECT_TRUE(window.input().shift());
+    EXPECT_EQ(window.input().typed, U"K");
+    EXPECT_FALSE(window.input().wasPressed('L'));
+    window.poll();
+    EXPECT_TRUE(window.input().wasPressed('L'));
+    EXPECT_FALSE(window.input().shift());
+}
+
 TEST_F(WindowTest, EscapeClosesNothingWhereItEndsSomethingElse) {
     auto window = need(window::Window::create({"typing", 200, 200}));
     if (!takesKeys(window, "typing")) GTEST_SKIP() << "xdotool is not installed";
