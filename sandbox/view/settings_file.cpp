@@ -123,7 +123,7 @@ void readSettings(const Json& json, const std::string& group, Settings& settings
         const auto info =
             std::find_if(list.begin(), list.end(),
                          [&, k = key](const SettingInfo& i) { return keyOf(i.name) == k; });
-        const std::string path = group + "." + key;
+        const std::string path = fmt::format("{}.{}", group, key);
         if (info == list.end()) refuse(fmt::format("{}: there is no such setting", path));
         std::visit(Reader{settings, *info, value, path}, info->field);
     }

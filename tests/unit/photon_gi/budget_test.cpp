@@ -150,7 +150,8 @@ TEST(Budget, DoesNotHunt) {
 TEST(Budget, DoesNotHuntWhereRaysOutweighPaths) {
     for (const auto& [name, device] : devices()) {
         const double most = rangeOf(device, Settings{}, k720p).most;
-        for (double share = 0.4; share < 1.05; share += 0.02) {
+        for (int percent = 40; percent < 105; percent += 2) {
+            const double share = 0.01 * percent;
             Budget budget(share * most);
             Frames frames(budget, device, 0.0);
             frames.draw(200, 1.0, k720p, Settings{});
