@@ -28,7 +28,7 @@ void mapKeys(ImGuiIO& io) {
     for (const auto& [key, letter] :
          {std::pair{ImGuiKey_A, 'A'}, std::pair{ImGuiKey_C, 'C'}, std::pair{ImGuiKey_V, 'V'},
           std::pair{ImGuiKey_X, 'X'}, std::pair{ImGuiKey_Y, 'Y'}, std::pair{ImGuiKey_Z, 'Z'}})
-        io.KeyMap[key] = letter;
+        io.KeyMap[key] = static_cast<unsigned char>(letter);
 }
 
 void feedInput(ImGuiIO& io, const window::Input& input, float scaleX, float scaleY) {

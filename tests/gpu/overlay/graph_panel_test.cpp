@@ -35,7 +35,7 @@ class GraphPanelTest : public test::OverlayTest {
     /// Opens the uppermost node, and says where it stands.
     double openFirst() {
         for (int i = 0; i < 3; ++i) point(kFew, 600.0, false);
-        for (double y = 120.0; y < 300.0; y += 4.0) {
+        for (int y = 120; y < 300; y += 4) {
             for (const bool down : {false, true, false}) point(kFew, y, down);
             if (panel_.opened()) return y;
         }

@@ -50,7 +50,7 @@ class TruthPanelTest : public test::FrameTest {
     }
     /// By its check box, from under the title on.
     double turnOn() {
-        for (double y = 56.0; y < 200.0; y += 4.0) {
+        for (int y = 56; y < 200; y += 4) {
             click(y);
             if (panel_.on()) return y;
         }

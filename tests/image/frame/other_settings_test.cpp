@@ -71,7 +71,7 @@ TEST_F(OtherSettings, StillFramesKeepTheirPictureOnlyWhereNothingIsChanged) {
     asked.finalAlone = true;
     test::SceneRenderer renderer(device(), snapshot);
     const auto draw = [&] {
-        const auto drawn = render(renderer, asked, "final");
+        auto drawn = render(renderer, asked, "final");
         ++asked.frameNumber;
         return drawn;
     };

@@ -34,7 +34,7 @@ class Changes : public ::testing::Test {
         updateWorldTransforms(world_, since_);
         SceneSnapshot next = extract(world_, snapshot_, since_);
         since_ = world_.advance();
-        const SceneChanges changes = changesBetween(snapshot_, next);
+        SceneChanges changes = changesBetween(snapshot_, next);
         snapshot_ = std::move(next);
         return changes;
     }

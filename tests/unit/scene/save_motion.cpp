@@ -37,9 +37,9 @@ std::string writtenFile() {
          {"channels",
           {{{"sampler", 0}, {"target", {{"node", joint}, {"path", "translation"}}}},
            {{"sampler", 1}, {"target", {{"node", 0}, {"path", "weights"}}}}}}});
-    const std::string path = std::string(LAMPYRIS_BINARY_DIR) + "/save_motion_" +
-                             testing::UnitTest::GetInstance()->current_test_info()->name() +
-                             ".gltf";  // tests may run side by side
+    std::string path = std::string(LAMPYRIS_BINARY_DIR) + "/save_motion_" +
+                       testing::UnitTest::GetInstance()->current_test_info()->name() +
+                       ".gltf";  // tests may run side by side
     const std::vector<uint8_t> bytes = builder.gltf();
     EXPECT_TRUE(core::writeFile(path, std::string(bytes.begin(), bytes.end())).ok());
     return path;
