@@ -11,7 +11,6 @@
 namespace lampyris::courtyard {
 namespace {
 
-using scene::builtin::placed;
 using scene::builtin::sinCosTurns;
 
 constexpr glm::vec3 kHub{-6.45f, 1.75f, 4.3f};

@@ -59,8 +59,9 @@ void ripple(ecs::Write<scene::MorphWeights> weights, ecs::Read<Ripple> ripple,
             const FrameTime& time) {
     auto& values = weights->values;
     for (size_t i = 0; i < values.size(); ++i) {
+        const size_t harmonic = i / 2 + 1;
         const auto wave =
-            sinCosTurns(time.seconds * static_cast<double>(i / 2 + 1) / ripple->periodSeconds);
+            sinCosTurns(time.seconds * static_cast<double>(harmonic) / ripple->periodSeconds);
         values[i] = ripple->weight * static_cast<float>(i % 2 == 0 ? wave.sin : wave.cos);
     }
 }

@@ -30,8 +30,8 @@ void addSlab(assets::Mesh& mesh, const glm::vec2& lower, const glm::vec2& upper,
 /// Rows of slabs, every other row set off by half a slab.
 void addSlabs(assets::Mesh& mesh, const Room& room, float size) {
     uint32_t number = 0;
-    int row = 0;
-    for (float z = room.lower.z; z < room.upper.z - 0.1f; z += size, ++row) {
+    float z = room.lower.z;
+    for (int row = 0; z < room.upper.z - 0.1f; ++row) {
         float west = room.lower.x;
         float east = west + (row % 2 == 0 ? size : 0.5f * size);
         while (west < room.upper.x - 0.01f) {
@@ -41,6 +41,7 @@ void addSlabs(assets::Mesh& mesh, const Room& room, float size) {
             west = end;
             east = end + size;
         }
+        z += size;
     }
 }
 

@@ -90,6 +90,7 @@ void addSill(assets::Mesh& mesh, const glm::mat4& placement) {
 
 std::vector<glm::mat4> windows() {
     std::vector<glm::mat4> places;
+    places.reserve(kArches + 5);
     for (int i = 0; i < kArches; ++i)
         places.push_back(placed({archWest(i) + 1.0f, 5.05f, kSquare.lower.z}));
     for (const float z : {-3.2f, 0.2f, 3.6f})
