@@ -10,7 +10,6 @@ namespace lampyris::test {
 namespace {
 
 using accel::Blas;
-using accel::CellBox;
 using accel::LeafTriangle;
 
 bool same(const Blas& a, const Blas& b) {
