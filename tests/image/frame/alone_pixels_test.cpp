@@ -2,7 +2,6 @@
 // share them.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "support/frame_test.h"

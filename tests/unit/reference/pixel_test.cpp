@@ -7,6 +7,23 @@
 namespace lampyris::reference {
 namespace {
 
+/// Looks into a scene through the one pixel of a camera.
+class Looker {
+ public:
+    explicit Looker(const scene::SceneSnapshot& snapshot)
+        : scene_(RayScene::build(snapshot).value()), lights_(snapshot), emitters_(scene_) {}
+    [[nodiscard]] Pixel seenFrom(const glm::vec3& eye, const glm::vec3& target) const {
+        const Stage stage{&scene_, &lights_, &emitters_};
+        return lookThrough(stage, PixelRays(test::lookFrom(eye, target), 1, 1).through(0, 0));
+    }
+    [[nodiscard]] const SphereLights& lights() const { return lights_; }
+
+ private:
+    RayScene scene_;
+    SphereLights lights_;
+    Emitters emitters_;
+};
+
 TEST(PixelRays, GoThroughPixelCentres) {
     const auto camera = test::lookFrom({1, 2, 3}, {1, 2, 0}, 90.0f);
     const PixelRays rays(camera, 4, 2);
@@ -26,22 +43,19 @@ TEST(LookThrough, FindsTheSurfaceItsDepthAndTheNearestDiscBeforeIt) {
     test::addLight(snapshot, {0, 0, 4}, 0.5f, 10.0f);
     test::addLight(snapshot, {0, 0, 2}, 0.5f, 20.0f);
     test::addLight(snapshot, {0, 0, -2}, 0.5f, 40.0f);
-    const auto scene = RayScene::build(snapshot);
-    ASSERT_TRUE(scene.ok());
-    const SphereLights lights(snapshot);
-    const Emitters emitters(scene.value());
-    const Stage stage{&scene.value(), &lights, &emitters};
+    const Looker looker(snapshot);
     const auto seenFrom = [&](const glm::vec3& eye, const glm::vec3& target) {
-        return lookThrough(stage, PixelRays(test::lookFrom(eye, target), 1, 1).through(0, 0));
+        return looker.seenFrom(eye, target);
     };
     const Pixel front = seenFrom({0, 0, 8}, {0, 0, 0});
     ASSERT_TRUE(front.surface.has_value());
     EXPECT_NEAR(front.depthMetres, 8.0f, 1e-5f);
     EXPECT_LT(glm::length(front.toEye - glm::vec3(0, 0, 1)), 1e-6f);
-    EXPECT_EQ(front.disc, lights.radiance(0, {0, 0, -1}));
-    EXPECT_EQ(seenFrom({0, 0, 3}, {0, 0, 0}).disc, lights.radiance(1, {0, 0, -1}));
+    EXPECT_EQ(front.disc, looker.lights().radiance(0, {0, 0, -1}));
+    EXPECT_EQ(seenFrom({0, 0, 3}, {0, 0, 0}).disc, looker.lights().radiance(1, {0, 0, -1}));
     EXPECT_FALSE(seenFrom({0, 0, 1}, {0, 0, 0}).disc) << "only behind the wall";
-    EXPECT_FALSE(seenFrom({0, 0.1f, 4}, {0, 0.1f, 0}).disc == lights.radiance(0, {0, 0, -1}))
+    EXPECT_FALSE(seenFrom({0, 0.1f, 4}, {0, 0.1f, 0}).disc ==
+                 looker.lights().radiance(0, {0, 0, -1}))
         << "from inside a light its disc is not drawn";
     const Pixel away = seenFrom({0, 0, 8}, {0, 0, 9});
     EXPECT_FALSE(away.surface.has_value());
@@ -55,14 +69,9 @@ TEST(LookThrough, SeesNoBackThroughAnOutline) {
                       test::lambertian({0, 0, 0.5f}));
     test::addInstance(snapshot, test::quad({-1, -9, 0}, {0, -9, 0}, {0, 9, 0}, {-1, 9, 0}),
                       test::lambertian({0.5f, 0, 0}));
-    const auto scene = RayScene::build(snapshot);
-    ASSERT_TRUE(scene.ok());
-    const SphereLights lights(snapshot);
-    const Emitters emitters(scene.value());
-    const Stage stage{&scene.value(), &lights, &emitters};
+    const Looker looker(snapshot);
     const auto seenFrom = [&](const glm::vec3& eye, const glm::vec3& target) {
-        const auto camera = test::lookFrom(eye, target);
-        return lookThrough(stage, PixelRays(camera, 1, 1).through(0, 0)).surface;
+        return looker.seenFrom(eye, target).surface;
     };
     int met = 0;
     for (int i = 0; i < 1000; ++i) {
