@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "reference/warps.h"
+
 namespace lampyris::reference {
 namespace {
 
@@ -17,16 +19,12 @@ bool meetsTheBack(const Stage& stage, const Ray& ray, const RayHit& hit) {
 std::optional<RayHit> seenAlong(const Stage& stage, const Ray& ray) {
     const auto hit = stage.scene->closest(ray);
     if (!hit || !meetsTheBack(stage, ray, *hit)) return hit;
-    const glm::vec3 along = glm::abs(ray.direction);
-    const glm::vec3 least(along.x <= along.y && along.x <= along.z,
-                          along.y < along.x && along.y <= along.z,
-                          along.z < along.x && along.z < along.y);
-    const glm::vec3 aside = glm::normalize(glm::cross(ray.direction, least));
-    const glm::vec3 up = glm::cross(glm::normalize(ray.direction), aside);
-    const float step = kBeside * glm::length(ray.direction);
-    for (const glm::vec3& way : {aside, -aside, up, -up}) {
+    const float length = glm::length(ray.direction);
+    const Frame around(ray.direction / length);
+    for (const glm::vec3& way :
+         {around.tangent, -around.tangent, around.bitangent, -around.bitangent}) {
         Ray beside = ray;
-        beside.direction += step * way;
+        beside.direction += kBeside * length * way;
         const auto other = stage.scene->closest(beside);
         if (other && !meetsTheBack(stage, beside, *other)) return other;
     }
